@@ -1,0 +1,4 @@
+//! Fixed-function OpenGL 1.0-1.5 in software.
+
+pub mod enums;
+pub mod error;
