@@ -2,3 +2,5 @@
 
 pub mod enums;
 pub mod error;
+pub mod limits;
+pub mod state;
