@@ -3,4 +3,6 @@
 pub mod enums;
 pub mod error;
 pub mod limits;
+pub mod pixels;
 pub mod state;
+pub mod texture;
