@@ -8,6 +8,7 @@ pub mod current;
 pub mod depth_stencil;
 pub mod fog;
 pub mod lighting;
+pub mod pixel;
 pub mod raster;
 pub mod texture;
 pub mod transform;
@@ -49,6 +50,10 @@ pub struct State {
     pub stencil: depth_stencil::Stencil,
     /// Accumulation buffer (table 6.21).
     pub accum: color_buffer::Accum,
+    /// Pixel transfer and zoom (tables 6.22, 6.23).
+    pub pixel: pixel::Pixel,
+    /// Pixel maps (table 6.24), in no attribute group.
+    pub pixel_maps: pixel::PixelMaps,
     /// Hints (table 6.26).
     pub hint: raster::Hint,
     /// Base of `glCallLists` (table 6.27).

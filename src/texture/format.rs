@@ -62,8 +62,8 @@ impl BaseFormat {
         let red = texel & 0xFF;
         match self {
             BaseFormat::Alpha => texel & 0xFF00_0000,
-            BaseFormat::Luminance => red * 0x0001_0101 | 0xFF00_0000,
-            BaseFormat::LuminanceAlpha => red * 0x0001_0101 | texel & 0xFF00_0000,
+            BaseFormat::Luminance => (red * 0x0001_0101) | 0xFF00_0000,
+            BaseFormat::LuminanceAlpha => (red * 0x0001_0101) | (texel & 0xFF00_0000),
             BaseFormat::Intensity => red * 0x0101_0101,
             BaseFormat::Rgb => texel | 0xFF00_0000,
             BaseFormat::Rgba | BaseFormat::Depth => texel,
