@@ -1,8 +1,11 @@
 //! Fixed-function OpenGL 1.0-1.5 in software.
 
+pub mod batch;
 pub mod enums;
 pub mod error;
+pub mod fragment;
 pub mod limits;
 pub mod pixels;
+pub mod raster;
 pub mod state;
 pub mod texture;

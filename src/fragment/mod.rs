@@ -1,0 +1,5 @@
+//! What happens to a fragment (OpenGL 1.5, sections 3.8 to 3.10 and chapter 4): interpolation, texturing, colour sum, fog,
+//! tests, blending and the store into the framebuffer, as a plan of stages over batches of 64 fragments.
+
+pub mod batch;
+pub mod planes;

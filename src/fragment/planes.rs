@@ -1,0 +1,104 @@
+//! What is interpolated across a primitive. A [`Layout`] says which values a draw needs and in which slot each stands;
+//! the vertex stages write the slots, setup turns them into planes, fragments evaluate the planes. What the fragment plan
+//! does not need has no slot, so nobody computes it.
+//!
+//! With b0, b1, b2 the barycentric coordinates in the window and r_i = w_ref / w_i (w_ref the least w, so 0 < r_i <= 1):
+//!
+//! ```text
+//!   D(x, y) = sum b_i r_i                      exactly 1 everywhere where all w are equal
+//!   f(x, y) = c + N(x, y) / D(x, y)            N = sum b_i r_i (f_i - c), 0 everywhere where all f_i are equal
+//!   unit with q:  s/q = c + N / Q              Q = sum b_i r_i q_i,  N = sum b_i r_i (s_i - c q_i)
+//!   df/dx = (N_x - (N / D) D_x) / D
+//! ```
+//!
+//! x and y are pixels relative to the primitive's origin (an integer pixel in it), so that moving a primitive by whole
+//! pixels changes no bit.
+
+use crate::limits::MAX_TEXTURE_UNITS;
+
+/// The slots of one texture unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnitSlots {
+    /// Slot of s; t and r follow as far as `count` goes, then q where `has_q`.
+    pub base: usize,
+    /// How many of s, t, r the target uses: 1, 2 or 3.
+    pub count: usize,
+    /// Whether q may differ from 1. Without it q is 1 for every vertex and has no slot.
+    pub has_q: bool,
+    /// For each coordinate the whole number that may be taken off without changing the result: 0 none, 1 REPEAT,
+    /// 2 MIRRORED_REPEAT.
+    pub period: [u8; 3],
+    /// Width, height, depth of the base level in texels: setup decides by it which precision a primitive needs.
+    pub size: [u32; 3],
+    /// Cube map: s, t, r are a direction and q is not used.
+    pub cube: bool,
+}
+
+/// Which values are interpolated, and where each stands in a vertex's list of floats.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Layout {
+    /// Slot of the primary colour, 4 floats.
+    pub color: Option<usize>,
+    /// Slot of the secondary colour, 3 floats.
+    pub secondary: Option<usize>,
+    /// Slot of the fog coordinate, 1 float.
+    pub fog: Option<usize>,
+    /// Slots of each unit's coordinates.
+    pub units: [Option<UnitSlots>; MAX_TEXTURE_UNITS],
+    /// How many slots are interpolated.
+    pub count: usize,
+    /// Slot, from `count` on, of the back-face colour (4 floats) and then, where `secondary` is, of the back-face
+    /// secondary colour (3 floats): two-sided lighting. Setup puts them in place of the front ones for back faces.
+    pub back: Option<usize>,
+    /// Floats of one vertex: `count` plus the back-face ones.
+    pub stride: usize,
+}
+
+/// The plane of one slot: `clamp(c + (n0 + nx dx + ny dy) * rw, min, max)`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Plane {
+    /// Value that is taken off before interpolation.
+    pub c: f32,
+    /// Least value at a vertex (minus the period taken off), so that rounding never leaves the range.
+    pub min: f32,
+    /// Greatest value at a vertex.
+    pub max: f32,
+    /// Numerator at the origin.
+    pub n0: f64,
+    /// Numerator's change per pixel in x.
+    pub nx: f64,
+    /// Numerator's change per pixel in y.
+    pub ny: f64,
+}
+
+/// A linear function of the window position, f64.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Linear {
+    /// Value at the origin.
+    pub at: f64,
+    /// Change per pixel in x.
+    pub x: f64,
+    /// Change per pixel in y.
+    pub y: f64,
+}
+
+/// What fragments need to know of their primitive. The planes of its slots stand in the scene's pool.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Planes {
+    /// The pixel that positions are relative to.
+    pub origin: [i32; 2],
+    /// Depth in units of the depth buffer, polygon offset included, not clamped.
+    pub z: Linear,
+    /// Relative 1/w.
+    pub d: Linear,
+    /// Whether D is exactly 1 everywhere.
+    pub affine: bool,
+    /// Bit u: unit u's coordinates need f64 evaluation (their range in texels and of w is too wide for f32).
+    pub wide: u32,
+    /// Index of the first slot's [`Plane`] in the scene's pool; slot k is at `first + k`. The plane of a unit's q slot
+    /// holds Q in n0, nx, ny.
+    pub first: u32,
+}

@@ -1,0 +1,77 @@
+//! A vertex as the vertex stages hand it to clipping and setup (OpenGL 1.5, section 2.11 end): clip coordinates, the
+//! window position where it has one, an outcode, and the slots of the [`Layout`](crate::fragment::planes::Layout).
+
+/// Position part of a processed vertex.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vertex {
+    /// Clip coordinates.
+    pub clip: [f64; 4],
+    /// Window x, y in pixels and depth in [0, 1] before offset; meaningful only where `outcode` has no bit of
+    /// [`outcode::NEEDS_CLIP`].
+    pub window: [f64; 3],
+    /// Window position in 1/256 pixel, rounded to nearest.
+    pub snapped: [i32; 2],
+    /// Which half-spaces the vertex is outside of; bits of [`outcode`].
+    pub outcode: u32,
+    /// Whether an edge that starts here is a boundary edge (polygon modes LINE and POINT).
+    pub edge: bool,
+    /// Point size derived for this vertex.
+    pub point_size: f32,
+}
+
+/// Bits of [`Vertex::outcode`].
+pub mod outcode {
+    /// x < -w.
+    pub const LEFT: u32 = 1;
+    /// x > w.
+    pub const RIGHT: u32 = 2;
+    /// y < -w.
+    pub const BOTTOM: u32 = 4;
+    /// y > w.
+    pub const TOP: u32 = 8;
+    /// z < -w.
+    pub const NEAR: u32 = 16;
+    /// z > w.
+    pub const FAR: u32 = 32;
+    /// User clip plane i is `USER << i`.
+    pub const USER: u32 = 64;
+    /// Outside the guard band, in 16 bits: a primitive with such a vertex is clipped against left, right, bottom, top.
+    pub const GUARD: u32 = 1 << 16;
+    /// w is not positive enough for a division, or a coordinate is not finite.
+    pub const BEHIND: u32 = 1 << 17;
+    /// A coordinate is NaN: the primitive is dropped.
+    pub const NAN: u32 = 1 << 18;
+    /// The six planes of the view volume.
+    pub const FRUSTUM: u32 = 63;
+    /// All user planes.
+    pub const USER_ALL: u32 = 63 * USER;
+    /// A triangle with any of these bits in any vertex must be clipped; left, right, bottom and top alone need no
+    /// clipping, since the rasteriser cuts at the viewport's edge inside the guard band.
+    pub const NEEDS_CLIP: u32 = NEAR | FAR | USER_ALL | GUARD | BEHIND;
+}
+
+/// Processed vertices: position parts and, `stride` floats for each, their slots.
+#[derive(Clone, Debug, Default)]
+pub struct Vertices {
+    /// Position parts.
+    pub head: Vec<Vertex>,
+    /// Slots, vertex by vertex.
+    pub slots: Vec<f32>,
+    /// Floats of one vertex.
+    pub stride: usize,
+}
+
+impl Vertices {
+    /// The slots of vertex `i`; empty where there is no such vertex.
+    #[must_use]
+    pub fn slots(&self, i: usize) -> &[f32] {
+        self.slots.get(i * self.stride..(i + 1) * self.stride).unwrap_or(&[])
+    }
+
+    /// Forgets all vertices and sets the stride of those to come.
+    pub fn clear(&mut self, stride: usize) {
+        self.head.clear();
+        self.slots.clear();
+        self.stride = stride;
+    }
+}
