@@ -5,6 +5,7 @@ pub mod enums;
 pub mod error;
 pub mod fragment;
 pub mod limits;
+pub mod num;
 pub mod pixels;
 pub mod raster;
 pub mod state;

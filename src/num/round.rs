@@ -1,0 +1,125 @@
+//! Rounding `f32` to whole numbers without a call and without a saturating cast.
+//!
+//! `f32::floor` is a library call at SSE2, and `f32 as i32` saturates, which costs several instructions a lane. Adding
+//! 1.5 * 2^23 instead pushes the fraction out of the mantissa: the sum is rounded to the nearest whole number by the
+//! adder, and its low bits are that number as an integer. That holds while |x| < 2^22, which texel and pixel
+//! coordinates are after they have been brought into range; `trunc_f32` and `fract_f32`, which bring them there, hold
+//! for every number.
+
+/// 1.5 * 2^23: a float whose unit in the last place is 1, with room on both sides.
+const MAGIC: f32 = 12_582_912.0;
+/// 2^23: from here on every float is a whole number.
+const WHOLE: f32 = 8_388_608.0;
+
+/// The nearest whole number, ties to even. Exact for |x| <= 2^22; beyond that within one part in 2^23 of `x`.
+/// NaN stays NaN and infinities stay infinite.
+#[inline(always)]
+#[must_use]
+pub fn round_f32(x: f32) -> f32 {
+    (x + MAGIC) - MAGIC
+}
+
+/// The nearest whole number as an integer, ties to even, for |x| <= 2^22. Beyond that, and for NaN and infinities, some
+/// integer: the same one everywhere for finite numbers, but of no meaning, so limit `x` first.
+#[inline(always)]
+#[must_use]
+pub fn round_to_int(x: f32) -> i32 {
+    ((x + MAGIC).to_bits() as i32).wrapping_sub(MAGIC.to_bits() as i32)
+}
+
+/// The largest whole number that is not above `x`. Exact for |x| < 2^22; beyond that within two units (of 1 or of `x`'s
+/// last place, whichever is larger) of `x`, and not always whole until 2^23. NaN stays NaN, infinities infinite.
+#[inline(always)]
+#[must_use]
+pub fn floor_f32(x: f32) -> f32 {
+    let r = round_f32(x);
+    r - if r > x { 1.0 } else { 0.0 }
+}
+
+/// [`floor_f32`] as an integer, for |x| < 2^22; the remark at [`round_to_int`] holds beyond.
+#[inline(always)]
+#[must_use]
+pub fn floor_to_int(x: f32) -> i32 {
+    let biased = x + MAGIC;
+    let down = (biased - MAGIC > x) as i32;
+    (biased.to_bits() as i32).wrapping_sub(MAGIC.to_bits() as i32).wrapping_sub(down)
+}
+
+/// The whole part of |x| for |x| < 2^23, and something finite or NaN beyond.
+#[inline(always)]
+fn whole_below(a: f32) -> f32 {
+    let r = (a + WHOLE) - WHOLE;
+    r - if r > a { 1.0 } else { 0.0 }
+}
+
+/// `x` without its fraction. Exact for every number; NaN stays NaN, infinities infinite, the sign (also of 0) stays.
+#[inline(always)]
+#[must_use]
+pub fn trunc_f32(x: f32) -> f32 {
+    let a = x.abs();
+    let t = if a < WHOLE { whole_below(a) } else { a };
+    t.copysign(x)
+}
+
+/// The signed fraction `x - trunc_f32(x)`, in -1 < f < 1. Exact for every number; 0 for NaN and infinities, so that it
+/// is the one place where a texture coordinate that is no number becomes one.
+#[inline(always)]
+#[must_use]
+pub fn fract_f32(x: f32) -> f32 {
+    let a = x.abs();
+    let f = a - whole_below(a);
+    let f = if a < WHOLE { f } else { 0.0 };
+    f.copysign(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of every size and both signs, with the neighbours of whole numbers and halves.
+    fn samples() -> impl Iterator<Item = f32> {
+        let grid = (0..=0x7f80u32).map(|i| f32::from_bits(i << 16));
+        let near = (-4000i32..4000).flat_map(|i| {
+            let x = i as f32 * 0.5;
+            [x.next_down(), x, x.next_up()]
+        });
+        let limit = (-9i32..9).map(|i| 4_194_304.0 + i as f32 * 0.5);
+        grid.chain(near).chain(limit).flat_map(|x| [x, -x])
+    }
+
+    #[test]
+    fn floors_and_roundings_are_exact_in_their_range() {
+        let mut n = 0;
+        for x in samples().filter(|x| x.abs() < 4_194_304.0) {
+            assert_eq!(floor_f32(x), x.floor(), "floor {x}");
+            assert_eq!(floor_to_int(x), x.floor() as i32, "floor_to_int {x}");
+            assert_eq!(round_f32(x), x.round_ties_even(), "round {x}");
+            assert_eq!(round_to_int(x), x.round_ties_even() as i32, "round_to_int {x}");
+            n += 1;
+        }
+        assert!(n > 40_000, "only {n} samples were in range");
+    }
+
+    #[test]
+    fn truncation_and_fraction_are_exact_everywhere() {
+        for x in samples() {
+            assert_eq!(trunc_f32(x).to_bits(), x.trunc().to_bits(), "trunc {x}");
+            let want = if x.is_finite() { x - x.trunc() } else { 0.0 };
+            assert_eq!(fract_f32(x), want, "fract {x}");
+        }
+        assert!(trunc_f32(f32::NAN).is_nan());
+        assert_eq!(fract_f32(f32::NAN), 0.0);
+        assert_eq!(fract_f32(f32::INFINITY), 0.0);
+    }
+
+    #[test]
+    fn beyond_the_range_nothing_explodes() {
+        for x in samples() {
+            let f = floor_f32(x);
+            assert!(!x.is_finite() || (f - x).abs() <= 2.0f32.max(x.abs() * 2.4e-7), "floor {x} = {f}");
+            let _ = (floor_to_int(x), round_to_int(x));
+        }
+        assert!(floor_f32(f32::NAN).is_nan());
+        assert_eq!(floor_f32(f32::INFINITY), f32::INFINITY);
+    }
+}
