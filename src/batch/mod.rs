@@ -80,3 +80,34 @@ macro_rules! stage {
     )*};
 }
 pub(crate) use stage;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type TestFn = for<'a> unsafe fn(&mut [f32; LANES], &'a [f32], u32);
+
+    stage! {
+        /// Adds.
+        fn ADD: TestFn = (b: &mut [f32; LANES], u: &[f32], arg: u32) {
+            let k = u.get(arg as usize).copied().unwrap_or(0.0);
+            for lane in b.iter_mut() { *lane += k; }
+        }
+    }
+
+    #[test]
+    fn a_stage_runs_at_every_level_that_is_there() {
+        for level in Level::available() {
+            let mut plan = Plan::new(level);
+            plan.push(&ADD, 1);
+            let mut batch = [1.0; LANES];
+            for step in &plan.steps {
+                #[expect(unsafe_code, reason = "the level is one that the processor has")]
+                unsafe {
+                    (step.run)(&mut batch, &[5.0, 2.0], step.arg);
+                }
+            }
+            assert_eq!(batch, [3.0; LANES]);
+        }
+    }
+}
