@@ -1,0 +1,277 @@
+//! From rows of groups to client memory (OpenGL 1.5, sections 4.3.2 and 6.1.4, figure 4.2): pixel transfer, a luminance
+//! is the sum of R, G and B, the clamp to [0, 1], then each component is rounded to the nearest number of the type.
+//! The mirror of `unpack`, with the same short way for 8-bit colours that nothing changes. Bytes between the groups
+//! (alignment, skips, the rest of long rows) are never touched.
+
+use super::element::{Element, clamp01, from_rgba8};
+use super::format::{Format, Packing, PixelFormat, Type};
+use super::geometry::Geometry;
+use super::transfer::Transfer;
+use super::unpack::swap_red_blue;
+use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
+use crate::error::Outcome;
+use crate::state::pixel::PixelStore;
+
+/// How many groups are converted at a time.
+const CHUNK: usize = 64;
+
+/// Client memory that an image is written to, checked against the length of that memory.
+#[derive(Debug)]
+pub struct ClientTarget<'a> {
+    bytes: &'a mut [u8],
+    geometry: Geometry,
+    pixel: PixelFormat,
+    swap: bool,
+    lsb_first: bool,
+}
+
+impl<'a> ClientTarget<'a> {
+    /// A 1D (height 1) or 2D image; skipped slices do not apply.
+    pub fn new_2d(
+        bytes: &'a mut [u8],
+        store: &PixelStore,
+        size: [i32; 2],
+        pixel: PixelFormat,
+    ) -> Outcome<ClientTarget<'a>> {
+        ClientTarget::checked(bytes, store, Geometry::of_2d(store, size, pixel)?, pixel)
+    }
+
+    /// A 3D image.
+    pub fn new_3d(
+        bytes: &'a mut [u8],
+        store: &PixelStore,
+        size: [i32; 3],
+        pixel: PixelFormat,
+    ) -> Outcome<ClientTarget<'a>> {
+        ClientTarget::checked(bytes, store, Geometry::of_3d(store, size, pixel)?, pixel)
+    }
+
+    fn checked(
+        bytes: &'a mut [u8],
+        store: &PixelStore,
+        geometry: Geometry,
+        pixel: PixelFormat,
+    ) -> Outcome<ClientTarget<'a>> {
+        geometry.check_len(bytes.len())?;
+        Ok(ClientTarget { bytes, geometry, pixel, swap: store.swap_bytes, lsb_first: store.lsb_first })
+    }
+
+    /// Width, height and depth.
+    #[must_use]
+    pub fn size(&self) -> [usize; 3] {
+        [self.geometry.width, self.geometry.height, self.geometry.depth]
+    }
+
+    /// Its format and type.
+    #[must_use]
+    pub fn pixel(&self) -> PixelFormat {
+        self.pixel
+    }
+
+    /// The bytes of groups `x`.. of row `y`; empty outside the image. Not for bitmaps.
+    fn groups(&mut self, [x, y, z]: [usize; 3]) -> &mut [u8] {
+        let g = &self.geometry;
+        if x >= g.width || y >= g.height || z >= g.depth {
+            return &mut [];
+        }
+        let start = g.row_start(y, z);
+        self.bytes.get_mut(start + x * self.pixel.group_bytes()..start + g.row_bytes).unwrap_or(&mut [])
+    }
+
+    fn set_bit(&mut self, [x, y, z]: [usize; 3], on: bool) {
+        let g = &self.geometry;
+        if x >= g.width || y >= g.height || z >= g.depth {
+            return;
+        }
+        let at = g.first_bit + x;
+        let mask = 1 << if self.lsb_first { at % 8 } else { 7 - at % 8 };
+        if let Some(byte) = self.bytes.get_mut(g.row_start(y, z) + at / 8) {
+            *byte = if on { *byte | mask } else { *byte & !mask };
+        }
+    }
+
+    /// Writes colours from group `at` on.
+    pub fn colors(&mut self, at: [usize; 3], transfer: Transfer<'_>, colors: &[[f32; 4]]) {
+        let mut work = [[0.0; 4]; CHUNK];
+        for (n, part) in colors.chunks(CHUNK).enumerate() {
+            let work = &mut work[..part.len()];
+            work.copy_from_slice(part);
+            transfer.colors(work);
+            if self.pixel.format.is_luminance() {
+                work.iter_mut().for_each(|c| c[0] = c[0] + c[1] + c[2]);
+            }
+            work.iter_mut().for_each(|c| *c = c.map(clamp01));
+            self.components([at[0] + n * CHUNK, at[1], at[2]], work);
+        }
+    }
+
+    /// Writes final components; a luminance stands in R.
+    fn components(&mut self, at: [usize; 3], colors: &[[f32; 4]]) {
+        let (type_, swap, channels) = (self.pixel.type_, self.swap, self.pixel.format.channels());
+        let groups = self.groups(at);
+        match type_ {
+            Type::UnsignedByte => gather::<u8>(groups, swap, channels, colors),
+            Type::Byte => gather::<i8>(groups, swap, channels, colors),
+            Type::UnsignedShort => gather::<u16>(groups, swap, channels, colors),
+            Type::Short => gather::<i16>(groups, swap, channels, colors),
+            Type::UnsignedInt => gather::<u32>(groups, swap, channels, colors),
+            Type::Int => gather::<i32>(groups, swap, channels, colors),
+            Type::Float => gather::<f32>(groups, swap, channels, colors),
+            Type::Packed(packing) => pack_packed(groups, swap, packing, channels, colors),
+            Type::Bitmap | Type::UnsignedInt248 => {}
+        }
+    }
+
+    /// Writes packed colours (bytes R, G, B, A from low to high) from group `at` on.
+    pub fn colors_rgba8(&mut self, at: [usize; 3], transfer: Transfer<'_>, texels: &[u32]) {
+        if transfer.keeps_colors() && self.copy_rgba8(at, texels) {
+            return;
+        }
+        let mut work = [[0.0; 4]; CHUNK];
+        for (n, part) in texels.chunks(CHUNK).enumerate() {
+            let work = &mut work[..part.len()];
+            for (to, &from) in work.iter_mut().zip(part) {
+                *to = from_rgba8(from);
+            }
+            self.colors([at[0] + n * CHUNK, at[1], at[2]], transfer, work);
+        }
+    }
+
+    /// The short way for components of 8 bits. False if the type is another.
+    fn copy_rgba8(&mut self, at: [usize; 3], texels: &[u32]) -> bool {
+        let (type_, format, swap) = (self.pixel.type_, self.pixel.format, self.swap);
+        let groups = self.groups(at);
+        let sum = |t: u32| {
+            let [r, g, b, _] = t.to_le_bytes();
+            r.saturating_add(g).saturating_add(b)
+        };
+        match (type_, format) {
+            (Type::UnsignedByte, Format::Rgba) => each(groups, texels, u32::to_le_bytes),
+            (Type::UnsignedByte, Format::Bgra) => each(groups, texels, |t| swap_red_blue(t).to_le_bytes()),
+            (Type::UnsignedByte, Format::Rgb) => each(groups, texels, |t| [t as u8, (t >> 8) as u8, (t >> 16) as u8]),
+            (Type::UnsignedByte, Format::Bgr) => each(groups, texels, |t| [(t >> 16) as u8, (t >> 8) as u8, t as u8]),
+            (Type::UnsignedByte, Format::Luminance) => each(groups, texels, |t| [sum(t)]),
+            (Type::UnsignedByte, Format::LuminanceAlpha) => each(groups, texels, |t| [sum(t), (t >> 24) as u8]),
+            (Type::UnsignedByte, Format::Alpha) => each(groups, texels, |t| [(t >> 24) as u8]),
+            (Type::UnsignedByte, Format::Red) => each(groups, texels, |t| [t as u8]),
+            (Type::UnsignedByte, Format::Green) => each(groups, texels, |t| [(t >> 8) as u8]),
+            (Type::UnsignedByte, Format::Blue) => each(groups, texels, |t| [(t >> 16) as u8]),
+            (Type::Packed(packing), format) if packing.bits == [8; 4] => {
+                let reverse = (packing.name == GL_UNSIGNED_INT_8_8_8_8) != swap;
+                each(groups, texels, |t| {
+                    let number = if format == Format::Bgra { swap_red_blue(t) } else { t };
+                    if reverse { number.swap_bytes().to_ne_bytes() } else { number.to_ne_bytes() }
+                });
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Writes depths from group `at` on; into DEPTH_STENCIL groups together with stencil indices, see
+    /// [`ClientTarget::depth_stencils`].
+    pub fn depths(&mut self, at: [usize; 3], transfer: Transfer<'_>, depths: &[f32]) {
+        let mut work = [0.0; CHUNK];
+        let (type_, swap) = (self.pixel.type_, self.swap);
+        for (n, part) in depths.chunks(CHUNK).enumerate() {
+            let work = &mut work[..part.len()];
+            work.copy_from_slice(part);
+            transfer.depths(work);
+            let groups = self.groups([at[0] + n * CHUNK, at[1], at[2]]);
+            match type_ {
+                Type::UnsignedByte => numbers(groups, swap, work, u8::from_component),
+                Type::Byte => numbers(groups, swap, work, i8::from_component),
+                Type::UnsignedShort => numbers(groups, swap, work, u16::from_component),
+                Type::Short => numbers(groups, swap, work, i16::from_component),
+                Type::UnsignedInt => numbers(groups, swap, work, u32::from_component),
+                Type::Int => numbers(groups, swap, work, i32::from_component),
+                Type::Float => numbers(groups, swap, work, f32::from_component),
+                Type::Bitmap | Type::Packed(_) | Type::UnsignedInt248 => {}
+            }
+        }
+    }
+
+    /// Writes stencil indices from group `at` on.
+    pub fn stencils(&mut self, at: [usize; 3], transfer: Transfer<'_>, stencils: &[u32]) {
+        let mut work = [0; CHUNK];
+        for (n, part) in stencils.chunks(CHUNK).enumerate() {
+            let work = &mut work[..part.len()];
+            for (to, &from) in work.iter_mut().zip(part) {
+                *to = transfer.stencil(from.into());
+            }
+            self.raw_indices([at[0] + n * CHUNK, at[1], at[2]], work);
+        }
+    }
+
+    /// Writes indices from group `at` on as they are, cut to the bits that the type has.
+    pub fn raw_indices(&mut self, at: [usize; 3], indices: &[u32]) {
+        let (type_, swap) = (self.pixel.type_, self.swap);
+        if type_ == Type::Bitmap {
+            for (i, &index) in indices.iter().enumerate() {
+                self.set_bit([at[0] + i, at[1], at[2]], index & 1 != 0);
+            }
+            return;
+        }
+        let groups = self.groups(at);
+        match type_ {
+            Type::UnsignedByte => numbers(groups, swap, indices, u8::from_index),
+            Type::Byte => numbers(groups, swap, indices, i8::from_index),
+            Type::UnsignedShort => numbers(groups, swap, indices, u16::from_index),
+            Type::Short => numbers(groups, swap, indices, i16::from_index),
+            Type::UnsignedInt => numbers(groups, swap, indices, u32::from_index),
+            Type::Int => numbers(groups, swap, indices, i32::from_index),
+            Type::Float => numbers(groups, swap, indices, f32::from_index),
+            Type::Bitmap | Type::Packed(_) | Type::UnsignedInt248 => {}
+        }
+    }
+
+    /// Writes pairs of a depth and a stencil index as UNSIGNED_INT_24_8 from group `at` on.
+    pub fn depth_stencils(&mut self, at: [usize; 3], transfer: Transfer<'_>, depths: &[f32], stencils: &[u32]) {
+        if self.pixel.type_ != Type::UnsignedInt248 {
+            return;
+        }
+        let swap = self.swap;
+        let pairs = depths.iter().zip(stencils);
+        for ((&depth, &stencil), group) in pairs.zip(self.groups(at).chunks_exact_mut(4)) {
+            let mut depth = [depth];
+            transfer.depths(&mut depth);
+            let bits = (f64::from(depth[0]) * 16_777_215.0 + 0.5) as u32;
+            (bits << 8 | transfer.stencil(stencil.into()) & 0xFF).write(group, swap);
+        }
+    }
+}
+
+fn each<const N: usize>(groups: &mut [u8], texels: &[u32], convert: impl Fn(u32) -> [u8; N]) {
+    for (to, &from) in groups.as_chunks_mut::<N>().0.iter_mut().zip(texels) {
+        *to = convert(from);
+    }
+}
+
+fn numbers<E: Element, T: Copy>(groups: &mut [u8], swap: bool, from: &[T], convert: impl Fn(T) -> E) {
+    for (to, &from) in groups.chunks_exact_mut(E::BYTES).zip(from) {
+        convert(from).write(to, swap);
+    }
+}
+
+fn gather<E: Element>(groups: &mut [u8], swap: bool, channels: &[usize], colors: &[[f32; 4]]) {
+    for (to, from) in groups.chunks_exact_mut(E::BYTES * channels.len()).zip(colors) {
+        for (&channel, bytes) in channels.iter().zip(to.chunks_exact_mut(E::BYTES)) {
+            E::from_component(from[channel & 3]).write(bytes, swap);
+        }
+    }
+}
+
+fn pack_packed(groups: &mut [u8], swap: bool, packing: &Packing, channels: &[usize], colors: &[[f32; 4]]) {
+    for (to, from) in groups.chunks_exact_mut(packing.bytes).zip(colors) {
+        let mut element = 0u32;
+        for (i, &channel) in channels.iter().enumerate() {
+            let max = (1u32 << packing.bits[i & 3]) - 1;
+            element |= ((from[channel & 3] * max as f32 + 0.5) as u32) << packing.shifts[i & 3];
+        }
+        match packing.bytes {
+            1 => (element as u8).write(to, swap),
+            2 => (element as u16).write(to, swap),
+            _ => element.write(to, swap),
+        }
+    }
+}
