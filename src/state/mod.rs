@@ -6,6 +6,7 @@
 pub mod color_buffer;
 pub mod current;
 pub mod depth_stencil;
+pub mod eval;
 pub mod fog;
 pub mod lighting;
 pub mod pixel;
@@ -54,6 +55,8 @@ pub struct State {
     pub pixel: pixel::Pixel,
     /// Pixel maps (table 6.24), in no attribute group.
     pub pixel_maps: pixel::PixelMaps,
+    /// Evaluators (table 6.22).
+    pub eval: eval::Eval,
     /// Hints (table 6.26).
     pub hint: raster::Hint,
     /// Base of `glCallLists` (table 6.27).
@@ -82,6 +85,19 @@ impl Dirty {
     pub const ALL: Self = Self { vertex: true, fragment: true, raster: true };
     /// Nothing is stale.
     pub const NONE: Self = Self { vertex: false, fragment: false, raster: false };
+
+    /// Makes stale what `other` says, too.
+    pub const fn add(&mut self, other: Self) {
+        self.vertex |= other.vertex;
+        self.fragment |= other.fragment;
+        self.raster |= other.raster;
+    }
+
+    /// Whether anything is stale.
+    #[must_use]
+    pub const fn any(self) -> bool {
+        self.vertex || self.fragment || self.raster
+    }
 }
 
 /// One value for each texture unit.

@@ -378,18 +378,20 @@ fn clamp01(v: f32) -> f32 {
     if v > 0.0 { v.min(1.0) } else { 0.0 }
 }
 
-/// The pixel group of the state (`GL_PIXEL_MODE_BIT`, apart from the read buffer) and the maps.
+/// The pixel group of the state (`GL_PIXEL_MODE_BIT`) but for the maps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pixel {
     /// Scale, bias, shift, offset, map switches.
     pub transfer: PixelTransfer,
     /// ZOOM_X and ZOOM_Y of DrawPixels and CopyPixels.
     pub zoom: [f32; 2],
+    /// Which colour buffer is read.
+    pub read_buffer: GLenum,
 }
 
 impl Default for Pixel {
     fn default() -> Self {
-        Self { transfer: PixelTransfer::default(), zoom: [1.0; 2] }
+        Self { transfer: PixelTransfer::default(), zoom: [1.0; 2], read_buffer: GL_FRONT }
     }
 }
 
