@@ -4,6 +4,7 @@ pub mod batch;
 pub mod enums;
 pub mod error;
 pub mod fragment;
+pub mod framebuffer;
 pub mod limits;
 pub mod num;
 pub mod pixels;

@@ -4,20 +4,32 @@
 use crate::batch::LANES;
 use crate::texture::batch::{Lanes, TexBatch};
 
-/// A run of lanes of one primitive.
+/// A run of lanes of one primitive. The segments of a batch follow each other: the first starts at lane 0, each next one
+/// where the one before ends.
+///
+/// There are two kinds. A *row* segment is a run of neighbouring pixels: lane i is the pixel (x + (i - start), y) at
+/// `offset + (i - start)`; the lane arrays `offset`, `dx`, `dy` of the batch are not read and need not be written. The
+/// lanes of the other kind (the few pixels of a small primitive) stand wherever `offset`, `dx`, `dy` of each lane say.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Segment {
     /// Index of the primitive's [`Planes`](super::planes::Planes) in the scene.
     pub prim: u32,
     /// First lane.
     pub start: u32,
-    /// Number of lanes.
+    /// Number of lanes, at least 1.
     pub len: u32,
-    /// Whether all lanes of the segment lie in one row with ascending x: lane i is at x + (i - start), y.
+    /// Row segments: window x of the first pixel.
+    pub x: i32,
+    /// Row segments: window y.
+    pub y: i32,
+    /// Row segments: [`Band::offset`](crate::framebuffer::Band::offset) of the first pixel.
+    pub offset: u32,
+    /// Whether this is a row segment.
     pub row: bool,
 }
 
-/// A batch of fragments. A pixel is in it at most once.
+/// A batch of fragments. A pixel is in it at most once, unless the program says that it does not care
+/// ([`Program::reads_framebuffer`](super::program::Program::reads_framebuffer) is false).
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct FragmentBatch {
@@ -25,28 +37,36 @@ pub struct FragmentBatch {
     pub segments: [Segment; LANES],
     /// How many segments are in use.
     pub segment_count: usize,
-    /// Window x of the pixel.
-    pub x: [i32; LANES],
-    /// Window y of the pixel.
-    pub y: [i32; LANES],
-    /// Index of the pixel in the rows of the band (colour, depth and stencil alike).
+    /// Index of the pixel in the rows of the band (colour, depth and stencil alike); not of row segments.
     pub offset: [u32; LANES],
-    /// Pixel x minus the primitive's origin.
+    /// Pixel x minus the primitive's origin; not of row segments.
     pub dx: Lanes,
-    /// Pixel y minus the primitive's origin.
+    /// Pixel y minus the primitive's origin; not of row segments.
     pub dy: Lanes,
     /// 1 / (relative 1/w): what a numerator plane is multiplied with.
     pub rw: Lanes,
     /// Window depth in units of the depth buffer.
     pub z: [u32; LANES],
+    /// What the depth buffer holds.
+    pub depth: [u32; LANES],
+    /// What the stencil buffer holds, then what it is to hold.
+    pub stencil: [u32; LANES],
+    /// The mask as it was before the stencil test and, second, before the depth test.
+    pub before: [[u32; LANES]; 2],
     /// Secondary colour RGB.
     pub secondary: [Lanes; 3],
     /// Fog coordinate, then fog factor.
     pub fog: Lanes,
-    /// What the framebuffer holds, RGBA, for blending.
+    /// What the framebuffer holds, RGBA in units of the colour store, then what blending makes of it.
     pub dst: [Lanes; 4],
-    /// Coverage in [0, 1] of smooth points, lines and polygons.
+    /// What the framebuffer holds, packed.
+    pub packed_dst: [u32; LANES],
+    /// What is to be stored, packed.
+    pub packed: [u32; LANES],
+    /// Coverage in [0, 1] of smooth points, lines and polygons; the rasteriser writes it for programs that use it.
     pub coverage: Lanes,
+    /// Whether a fragment is still alive after the last test.
+    pub alive: bool,
     /// Lanes in use, mask, colours and everything of texturing. `tex.primary` is the interpolated colour and
     /// `tex.previous` the colour that reaches the later stages.
     pub tex: TexBatch,
@@ -60,17 +80,21 @@ impl FragmentBatch {
         Self {
             segments: [Segment::default(); LANES],
             segment_count: 0,
-            x: [0; LANES],
-            y: [0; LANES],
             offset: [0; LANES],
             dx: Z,
             dy: Z,
             rw: Z,
             z: [0; LANES],
+            depth: [0; LANES],
+            stencil: [0; LANES],
+            before: [[0; LANES]; 2],
             secondary: [Z; 3],
             fog: Z,
             dst: [Z; 4],
+            packed_dst: [0; LANES],
+            packed: [0; LANES],
             coverage: Z,
+            alive: false,
             tex: TexBatch::new(),
         }
     }

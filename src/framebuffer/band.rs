@@ -1,0 +1,93 @@
+//! A band: some rows of the framebuffer, all buffers alike, lent to one worker. Bands of one framebuffer do not overlap,
+//! so workers need no locks, and because a pixel lies in one band only, the number of workers changes no result.
+
+use super::Framebuffer;
+use std::mem::take;
+
+/// Rows `y0..y0 + rows` of a framebuffer.
+#[derive(Debug)]
+pub struct Band<'a> {
+    /// Lowest row (window y).
+    pub y0: u32,
+    /// Number of rows.
+    pub rows: u32,
+    /// Pixels of a row.
+    pub width: u32,
+    /// Pixels from the start of a row to the start of the next one in memory.
+    pub stride: u32,
+    /// Whether the highest row comes first in memory.
+    pub flipped: bool,
+    /// Colours, bytes R, G, B, A from low to high; empty where the colours are floats.
+    pub rgba8: &'a mut [u32],
+    /// Colours as floats; empty where they are bytes.
+    pub float: &'a mut [[f32; 4]],
+    /// Depths; empty where there is no depth buffer.
+    pub depth: &'a mut [u32],
+    /// Stencil values; empty where there is no stencil buffer.
+    pub stencil: &'a mut [u8],
+    /// How many fragments passed the tests (occlusion queries); counted only by programs that were built to count.
+    pub samples: u64,
+}
+
+impl Band<'_> {
+    /// Index of pixel (x, y) of the window in every slice of the band; y must be one of the band's rows.
+    #[inline(always)]
+    #[must_use]
+    pub fn offset(&self, x: u32, y: u32) -> u32 {
+        let row = y.wrapping_sub(self.y0);
+        let row = if self.flipped { self.rows.wrapping_sub(1).wrapping_sub(row) } else { row };
+        row.wrapping_mul(self.stride).wrapping_add(x)
+    }
+}
+
+/// Cuts `n` elements off the front; what is there where there are fewer.
+fn cut<'a, T>(rest: &mut &'a mut [T], n: usize) -> &'a mut [T] {
+    let all = take(rest);
+    let n = n.min(all.len());
+    let (front, back) = all.split_at_mut(n);
+    *rest = back;
+    front
+}
+
+impl Framebuffer {
+    /// The whole framebuffer as one band.
+    pub fn band(&mut self) -> Band<'_> {
+        let (width, stride, flipped, rows) = (self.width, self.stride, self.flipped, self.height);
+        let (rgba8, float) = self.color.slices_mut();
+        let (depth, stencil) = (&mut self.depth[..], &mut self.stencil[..]);
+        Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, stencil, samples: 0 }
+    }
+
+    /// The framebuffer cut into bands of `rows` rows (the highest may have fewer), lowest first: row y is in band
+    /// `y / rows`.
+    pub fn bands(&mut self, rows: u32) -> Vec<Band<'_>> {
+        let rows = rows.max(1);
+        let (width, stride, flipped, height) = (self.width, self.stride, self.flipped, self.height);
+        let (mut rgba8, mut float) = self.color.slices_mut();
+        let (mut depth, mut stencil) = (&mut self.depth[..], &mut self.stencil[..]);
+        let count = height.div_ceil(rows);
+        let mut bands = Vec::with_capacity(count as usize);
+        for i in 0..count {
+            // In memory order, which for flipped rows is from the highest band down.
+            let y0 = if flipped { count - 1 - i } else { i } * rows;
+            let rows = rows.min(height - y0);
+            let n = rows as usize * stride as usize;
+            bands.push(Band {
+                y0,
+                rows,
+                width,
+                stride,
+                flipped,
+                rgba8: cut(&mut rgba8, n),
+                float: cut(&mut float, n),
+                depth: cut(&mut depth, n),
+                stencil: cut(&mut stencil, n),
+                samples: 0,
+            });
+        }
+        if flipped {
+            bands.reverse();
+        }
+        bands
+    }
+}
