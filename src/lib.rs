@@ -1,6 +1,7 @@
 //! Fixed-function OpenGL 1.0-1.5 in software.
 
 pub mod batch;
+pub mod context;
 pub mod enums;
 pub mod error;
 pub mod fragment;
@@ -11,3 +12,5 @@ pub mod pixels;
 pub mod raster;
 pub mod state;
 pub mod texture;
+
+pub use context::{Context, Error};

@@ -1,0 +1,218 @@
+//! What happens to the result of a command (OpenGL 1.5, section 2.5): the first error stays until it is read, every
+//! error reaches the debug callback as a sentence with the caller's file and line, and the command that failed has
+//! changed nothing. The message has the shape of KHR_debug, so that tools made for it feel at home.
+
+use super::Context;
+use super::values::{FromState, Values};
+use crate::enums::{GL_INVALID_OPERATION, GL_INVALID_VALUE, GL_NO_ERROR, GLenum};
+use crate::error::{GlError, Outcome, code_name, invalid_operation};
+use std::panic::Location;
+
+/// The first error since the last question, with its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    /// The code that `glGetError` reports.
+    pub code: GLenum,
+    /// The command, with its name in C.
+    pub command: &'static str,
+    /// What was wrong and what to do about it.
+    pub message: String,
+    /// The caller's file.
+    pub file: &'static str,
+    /// The caller's line.
+    pub line: u32,
+}
+
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { code, command, message, file, line } = self;
+        write!(f, "{file}:{line}: {command}: {} ({message})", code_name(*code))
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Where a debug message comes from: always the API (`GL_DEBUG_SOURCE_API` of KHR_debug).
+pub const DEBUG_SOURCE_API: GLenum = 0x8246;
+/// The message is an error (`GL_DEBUG_TYPE_ERROR`).
+pub const DEBUG_TYPE_ERROR: GLenum = 0x824C;
+/// The message is advice (`GL_DEBUG_TYPE_OTHER`): a texture that is incomplete, and why.
+pub const DEBUG_TYPE_OTHER: GLenum = 0x8251;
+/// Severity of errors (`GL_DEBUG_SEVERITY_HIGH`).
+pub const DEBUG_SEVERITY_HIGH: GLenum = 0x9146;
+/// Severity of advice (`GL_DEBUG_SEVERITY_MEDIUM`).
+pub const DEBUG_SEVERITY_MEDIUM: GLenum = 0x9147;
+
+/// What the debug callback gets.
+#[derive(Clone, Debug)]
+pub struct DebugMessage<'a> {
+    /// [`DEBUG_SOURCE_API`].
+    pub source: GLenum,
+    /// [`DEBUG_TYPE_ERROR`] or [`DEBUG_TYPE_OTHER`].
+    pub type_: GLenum,
+    /// The error code, or 0.
+    pub id: u32,
+    /// [`DEBUG_SEVERITY_HIGH`] or [`DEBUG_SEVERITY_MEDIUM`].
+    pub severity: GLenum,
+    /// The sentence.
+    pub message: &'a str,
+    /// The command, with its name in C.
+    pub command: &'static str,
+    /// The caller's file.
+    pub file: &'static str,
+    /// The caller's line.
+    pub line: u32,
+}
+
+/// A debug callback.
+pub type DebugCallback = Box<dyn FnMut(&DebugMessage<'_>) + Send>;
+
+/// What an engine method may return: every shape becomes an outcome.
+pub(crate) trait Settle {
+    type Value: Default;
+    fn outcome(self) -> Outcome<Self::Value>;
+}
+
+impl<T: Default> Settle for Outcome<T> {
+    type Value = T;
+    #[inline]
+    fn outcome(self) -> Outcome<T> {
+        self
+    }
+}
+
+macro_rules! plain_results {
+    ($($t:ty)*) => { $(impl Settle for $t {
+        type Value = $t;
+        #[inline]
+        fn outcome(self) -> Outcome<$t> { Ok(self) }
+    })* };
+}
+plain_results!(() bool i32 u32 &'static str);
+
+/// The error of a command that the engine does not have.
+pub(crate) fn missing(method: &str) -> GlError {
+    invalid_operation(format!("{method} is not implemented yet; nothing has been done"))
+}
+
+/// Notes an error in the two places that keep it.
+#[cold]
+#[track_caller]
+pub(crate) fn note<T: Default>(
+    first: &mut Option<Box<Error>>,
+    debug: &mut Option<DebugCallback>,
+    name: &'static str,
+    GlError { code, message }: GlError,
+) -> T {
+    let place = Location::caller();
+    let (file, line) = (place.file(), place.line());
+    if let Some(callback) = debug {
+        callback(&DebugMessage {
+            source: DEBUG_SOURCE_API,
+            type_: DEBUG_TYPE_ERROR,
+            id: code,
+            severity: DEBUG_SEVERITY_HIGH,
+            message: &message,
+            command: name,
+            file,
+            line,
+        });
+    }
+    if first.is_none() {
+        *first = Some(Box::new(Error { code, command: name, message, file, line }));
+    }
+    T::default()
+}
+
+impl Context {
+    /// The value of a command, after its error has been noted.
+    #[inline]
+    #[track_caller]
+    pub(crate) fn settle<R: Settle>(&mut self, name: &'static str, result: R) -> R::Value {
+        match result.outcome() {
+            Ok(value) => value,
+            Err(error) => self.fail(name, error),
+        }
+    }
+
+    /// Writes the answer of a query in the type of the asking command.
+    #[track_caller]
+    pub(crate) fn answer<T: FromState>(&mut self, name: &'static str, result: Outcome<Values>, out: &mut [T]) {
+        let values = match result {
+            Ok(values) => values,
+            Err(error) => return self.fail(name, error),
+        };
+        if out.len() < values.len() {
+            return self.short(name, "params", values.len(), out.len(), "values");
+        }
+        for (to, from) in out.iter_mut().zip(values.converted()) {
+            *to = from;
+        }
+    }
+
+    /// Notes an error: the first one stays, the callback hears all of them.
+    #[cold]
+    #[track_caller]
+    pub(crate) fn fail<T: Default>(&mut self, name: &'static str, error: GlError) -> T {
+        note(&mut self.error, &mut self.debug, name, error)
+    }
+
+    /// Hands advice of the engine to the debug callback; it is dropped if there is none.
+    #[track_caller]
+    pub(crate) fn advise(&mut self, name: &'static str, message: &str) {
+        let place = Location::caller();
+        if let Some(callback) = &mut self.debug {
+            callback(&DebugMessage {
+                source: DEBUG_SOURCE_API,
+                type_: DEBUG_TYPE_OTHER,
+                id: 0,
+                severity: DEBUG_SEVERITY_MEDIUM,
+                message,
+                command: name,
+                file: place.file(),
+                line: place.line(),
+            });
+        }
+    }
+
+    /// The error of a command that is not allowed between Begin and End.
+    #[cold]
+    #[track_caller]
+    pub(crate) fn refuse_inside<T: Default>(&mut self, name: &'static str) -> T {
+        let message = format!("{name} is not allowed between glBegin and glEnd; call glEnd first");
+        self.fail(name, GlError { code: GL_INVALID_OPERATION, message })
+    }
+
+    /// The error of memory that is too short.
+    #[cold]
+    #[track_caller]
+    pub(crate) fn short<T: Default>(
+        &mut self,
+        name: &'static str,
+        argument: &str,
+        needed: usize,
+        there: usize,
+        unit: &str,
+    ) -> T {
+        let message = format!("`{argument}` must hold {needed} {unit}, but holds {there}: pass a longer slice");
+        self.fail(name, GlError { code: GL_INVALID_VALUE, message })
+    }
+
+    /// The first error since the last question as a `Result`, with its place and its sentence; asking clears it.
+    ///
+    /// # Errors
+    /// The first error of the commands since the last `check` or `get_error`.
+    pub fn check(&mut self) -> Result<(), Error> {
+        self.error.take().map_or(Ok(()), |error| Err(*error))
+    }
+
+    /// The code of the first error since the last question; asking clears it.
+    pub(crate) fn take_error_code(&mut self) -> GLenum {
+        self.error.take().map_or(GL_NO_ERROR, |error| error.code)
+    }
+
+    /// Calls `callback` with every error (and with advice about what will not draw) as it happens; `None` ends that.
+    pub fn set_debug_callback(&mut self, callback: Option<DebugCallback>) {
+        self.debug = callback;
+    }
+}

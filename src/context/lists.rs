@@ -1,0 +1,234 @@
+//! Display lists: compiling, calling, names (OpenGL 1.5, section 5.4). Lists call lists without recursion: a stack of
+//! positions takes the place of the machine's stack, so that 64 levels are 64 small frames, and a list that calls itself
+//! ends there as the specification says.
+
+use super::hooks::Questions as _;
+use super::recorder::{Command, List, OpenList};
+use super::{Context, counts};
+use crate::enums::*;
+use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
+use std::collections::BTreeMap;
+
+/// Depth of lists within lists (`MAX_LIST_NESTING`).
+pub(crate) const MAX_LIST_NESTING: usize = 64;
+
+/// Calls of lists that one CallList may lead to. A list that calls itself twice would otherwise run 2^64 times.
+const MAX_CALLS: usize = 1 << 22;
+
+/// Names in use, as runs: a program may reserve a billion names.
+#[derive(Debug, Default)]
+pub(crate) struct Names(BTreeMap<u32, u32>);
+
+impl Names {
+    /// Whether a name is in use.
+    pub(crate) fn contains(&self, name: u32) -> bool {
+        self.0.range(..=name).next_back().is_some_and(|(_, last)| *last >= name)
+    }
+
+    /// Puts the names of a run into use.
+    pub(crate) fn insert(&mut self, first: u32, last: u32) {
+        self.remove(first, last);
+        self.0.insert(first, last);
+    }
+
+    /// Takes the names of a run out of use.
+    pub(crate) fn remove(&mut self, first: u32, last: u32) {
+        let hit: Vec<_> =
+            self.0.range(..=last).rev().take_while(|(_, l)| **l >= first).map(|(f, l)| (*f, *l)).collect();
+        for (f, l) in hit {
+            self.0.remove(&f);
+            if f < first {
+                self.0.insert(f, first - 1);
+            }
+            if l > last {
+                self.0.insert(last + 1, l);
+            }
+        }
+    }
+
+    /// The first name of a run of `n` free names, 0 not among them.
+    pub(crate) fn find_free(&self, n: u32) -> Option<u32> {
+        let mut first = 1_u32;
+        for (f, l) in &self.0 {
+            if f.checked_sub(first).is_some_and(|gap| gap >= n) {
+                return Some(first);
+            }
+            first = first.max(l.checked_add(1)?);
+        }
+        first.checked_add(n - 1).map(|_| first)
+    }
+}
+
+/// A position in what is being carried out.
+enum Frame {
+    /// A list and the next command in it.
+    List(List, usize),
+    /// The names of a CallLists and the next of them.
+    Names(Box<[u32]>, usize),
+}
+
+/// The names of a CallLists as offsets from the list base (section 5.4).
+pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>> {
+    let Some(size) = counts::list_name_size(type_) else {
+        let what = name(type_);
+        return Err(invalid_enum(format!(
+            "{what} is no type of list names; use GL_UNSIGNED_BYTE, GL_UNSIGNED_INT, ..."
+        )));
+    };
+    if n < 0 {
+        return Err(invalid_value(format!("n = {n} is negative")));
+    }
+    let names = bytes.chunks_exact(size).take(counts::count(n));
+    let mut all = Vec::new();
+    all.try_reserve_exact(names.len()).map_err(|_| crate::error::out_of_memory("no memory left for list names"))?;
+    all.extend(names.map(|b| match (type_, b) {
+        (GL_BYTE, [a]) => i32::from(*a as i8) as u32,
+        (GL_SHORT, [a, b]) => i32::from(i16::from_ne_bytes([*a, *b])) as u32,
+        (GL_UNSIGNED_SHORT, [a, b]) => u32::from(u16::from_ne_bytes([*a, *b])),
+        (GL_FLOAT, [a, b, c, d]) => f32::from_ne_bytes([*a, *b, *c, *d]) as i64 as u32,
+        (GL_INT | GL_UNSIGNED_INT, [a, b, c, d]) => u32::from_ne_bytes([*a, *b, *c, *d]),
+        // 2_BYTES to 4_BYTES: the first byte is the most significant one on every machine.
+        _ => b.iter().fold(0, |value, byte| value << 8 | u32::from(*byte)),
+    }));
+    Ok(all.into())
+}
+
+impl Context {
+    pub(crate) fn open_list(&mut self, list: u32, mode: GLenum) -> Outcome {
+        if list == 0 {
+            return Err(invalid_value("0 is no name of a list; take one from glGenLists"));
+        }
+        if !matches!(mode, GL_COMPILE | GL_COMPILE_AND_EXECUTE) {
+            let mode = name(mode);
+            return Err(invalid_enum(format!("mode is {mode}; use GL_COMPILE or GL_COMPILE_AND_EXECUTE")));
+        }
+        if let Some(open) = &self.recorder.open {
+            return Err(invalid_operation(format!("list {} is open; call glEndList first", open.name)));
+        }
+        self.recorder.open = Some(OpenList { name: list, mode, commands: Vec::new() });
+        self.hooks.set_recording(true);
+        Ok(())
+    }
+
+    pub(crate) fn close_list(&mut self) -> Outcome {
+        let Some(open) = self.recorder.open.take() else {
+            return Err(invalid_operation("no list is open; call glNewList first"));
+        };
+        self.hooks.set_recording(false);
+        self.recorder.names.insert(open.name, open.name);
+        self.recorder.lists.insert(open.name, open.commands.into());
+        Ok(())
+    }
+
+    pub(crate) fn reserve_lists(&mut self, range: i32) -> Outcome<u32> {
+        if range < 0 {
+            return Err(invalid_value(format!("range = {range} is negative")));
+        }
+        let n = range.unsigned_abs();
+        match self.recorder.names.find_free(n.max(1)) {
+            Some(first) if n > 0 => {
+                self.recorder.names.insert(first, first + (n - 1));
+                Ok(first)
+            }
+            _ => Ok(0),
+        }
+    }
+
+    pub(crate) fn remove_lists(&mut self, list: u32, range: i32) -> Outcome {
+        if range < 0 {
+            return Err(invalid_value(format!("range = {range} is negative")));
+        }
+        if let Some(more) = range.unsigned_abs().checked_sub(1) {
+            let last = list.saturating_add(more);
+            self.recorder.names.remove(list, last);
+            let mut after = self.recorder.lists.split_off(&list);
+            if let Some(next) = last.checked_add(1) {
+                self.recorder.lists.append(&mut after.split_off(&next));
+            }
+        }
+        Ok(())
+    }
+
+    /// Carries out lists by their names.
+    #[track_caller]
+    pub(crate) fn run_lists(&mut self, command: &'static str, names: Box<[u32]>) {
+        let mut stack = vec![Frame::Names(names, 0)];
+        let (mut depth, mut calls) = (0, 0);
+        while let Some(top) = stack.last_mut() {
+            let called = match top {
+                Frame::Names(names, next) => {
+                    let Some(name) = names.get(*next).copied() else {
+                        stack.pop();
+                        continue;
+                    };
+                    *next += 1;
+                    name
+                }
+                Frame::List(list, next) => {
+                    let list = List::clone(list);
+                    let run = list.get(*next..).unwrap_or_default();
+                    let call = run.iter().position(|c| matches!(c, Command::Call(_) | Command::Calls(_)));
+                    *next += call.map_or(run.len(), |i| i + 1);
+                    for op in run.iter().take(call.unwrap_or(run.len())) {
+                        op.run(self);
+                    }
+                    match call.and_then(|i| run.get(i)) {
+                        Some(Command::Call(name)) => *name,
+                        Some(Command::Calls(offsets)) => {
+                            let base = self.engine.current_list_base();
+                            stack.push(Frame::Names(offsets.iter().map(|o| base.wrapping_add(*o)).collect(), 0));
+                            continue;
+                        }
+                        _ => {
+                            stack.pop();
+                            depth -= 1;
+                            continue;
+                        }
+                    }
+                }
+            };
+            calls += 1;
+            if calls > MAX_CALLS {
+                let message = format!("gave up after {MAX_CALLS} lists: does a list call itself?");
+                return self.fail(command, invalid_operation(message));
+            }
+            if depth < MAX_LIST_NESTING
+                && let Some(list) = self.recorder.lists.get(&called)
+            {
+                stack.push(Frame::List(List::clone(list), 0));
+                depth += 1;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_of_names_split_and_leave_gaps() {
+        let mut names = Names::default();
+        assert_eq!(names.find_free(10), Some(1));
+        names.insert(1, 10);
+        names.remove(4, 5);
+        assert!(names.contains(3) && !names.contains(4) && !names.contains(5) && names.contains(6));
+        assert_eq!(names.find_free(2), Some(4));
+        assert_eq!(names.find_free(3), Some(11));
+        names.insert(u32::MAX, u32::MAX);
+        assert_eq!(names.find_free(u32::MAX), None);
+        names.remove(0, u32::MAX);
+        assert_eq!(names.find_free(u32::MAX), Some(1));
+    }
+
+    #[test]
+    fn names_of_every_type_are_read() {
+        let read = |type_, bytes: &[u8]| offsets(1, type_, bytes).map(|o| o.first().copied());
+        assert_eq!(read(GL_BYTE, &[0xFF]), Ok(Some(u32::MAX)));
+        assert_eq!(read(GL_2_BYTES, &[1, 2]), Ok(Some(0x102)));
+        assert_eq!(read(GL_3_BYTES, &[1, 2, 3]), Ok(Some(0x1_0203)));
+        assert_eq!(read(GL_4_BYTES, &[1, 2, 3, 4]), Ok(Some(0x102_0304)));
+        assert_eq!(read(GL_FLOAT, &7.9_f32.to_ne_bytes()), Ok(Some(7)));
+        assert!(read(GL_DOUBLE, &[]).is_err());
+    }
+}

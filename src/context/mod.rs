@@ -1,0 +1,96 @@
+//! The context: GL as one owned value (OpenGL 1.5, chapter 2.5). A [`Context`] is the engine plus what surrounds every
+//! command: the Begin/End rule, the open display list, the trace, the first error. Its command methods are generated
+//! from the one table in [`table`], where each command is a row; the methods of the engine do the work.
+
+pub(crate) mod args;
+pub(crate) mod convert;
+pub(crate) mod counts;
+pub(crate) mod engine;
+pub(crate) mod errors;
+pub(crate) mod hooks;
+pub(crate) mod lists;
+pub(crate) mod own;
+pub(crate) mod params;
+pub(crate) mod pixels_arg;
+pub(crate) mod recorder;
+pub mod table;
+pub(crate) mod trace;
+pub(crate) mod values;
+
+pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, OutSlice};
+pub use errors::{
+    DEBUG_SEVERITY_HIGH, DEBUG_SEVERITY_MEDIUM, DEBUG_SOURCE_API, DEBUG_TYPE_ERROR, DEBUG_TYPE_OTHER, DebugCallback,
+    DebugMessage, Error,
+};
+pub use pixels_arg::{ArrayData, IndexLists, Indices, NULL, Null, Pixels, PixelsMut};
+pub use trace::{Call, TraceCallback};
+
+pub(crate) use params::Params;
+pub(crate) use values::Values;
+
+use engine::Engine;
+
+/// What a command has to look at before it reaches the engine: one byte, zero in the common case.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Hooks(u8);
+
+impl Hooks {
+    const TRACING: u8 = 1;
+    const RECORDING: u8 = 2;
+
+    /// Whether a trace callback listens.
+    #[inline]
+    pub(crate) fn tracing(self) -> bool {
+        self.0 & Self::TRACING != 0
+    }
+
+    /// Whether a display list is open.
+    #[inline]
+    pub(crate) fn recording(self) -> bool {
+        self.0 & Self::RECORDING != 0
+    }
+
+    pub(crate) fn set_tracing(&mut self, on: bool) {
+        self.0 = self.0 & !Self::TRACING | if on { Self::TRACING } else { 0 };
+    }
+
+    pub(crate) fn set_recording(&mut self, on: bool) {
+        self.0 = self.0 & !Self::RECORDING | if on { Self::RECORDING } else { 0 };
+    }
+}
+
+/// A GL context: all state, all objects, a framebuffer, and the commands as methods.
+pub struct Context {
+    pub(crate) engine: Engine,
+    pub(crate) hooks: Hooks,
+    pub(crate) error: Option<Box<Error>>,
+    pub(crate) recorder: recorder::Recorder,
+    pub(crate) debug: Option<DebugCallback>,
+    pub(crate) trace: Option<TraceCallback>,
+}
+
+impl Context {
+    /// A context in GL's initial state with a framebuffer of a size.
+    #[must_use]
+    pub fn new(width: u32, height: u32) -> Self {
+        Self::from_engine(Engine::new(width, height))
+    }
+
+    /// A context around an engine.
+    pub(crate) fn from_engine(engine: Engine) -> Self {
+        Self {
+            engine,
+            hooks: Hooks::default(),
+            error: None,
+            recorder: recorder::Recorder::default(),
+            debug: None,
+            trace: None,
+        }
+    }
+}
+
+impl std::fmt::Debug for Context {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Context").field("error", &self.error).field("hooks", &self.hooks).finish_non_exhaustive()
+    }
+}

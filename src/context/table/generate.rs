@@ -1,0 +1,246 @@
+//! What a chapter of the table becomes on the Rust side (OpenGL 1.5, chapter 2.5 and 5.4): an `Op` for what a display
+//! list can hold, the way of every op to the engine, the public methods of `Context`, the fallbacks for what the engine
+//! does not do yet, and the rows as data. A chapter calls [`chapter!`] with its rows, and that is all it does.
+
+/// Whether a command of a class may stand between Begin and End: only then it needs no check.
+macro_rules! allowed_inside {
+    (begin) => {
+        true
+    };
+    ($class:ident) => {
+        false
+    };
+}
+
+/// Whether a recorded command is carried out at once although a list is open: images of proxy targets are.
+macro_rules! immediate {
+    (proxy, $target:ident $(, $rest:ident)*) => {
+        $crate::context::counts::is_proxy($target)
+    };
+    ($class:ident $(, $a:ident)*) => {
+        false
+    };
+}
+
+/// The ops of a chapter: commands in the one form that the engine knows and a display list holds.
+macro_rules! ops {
+    () => {};
+    ($( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) ; )*) => {
+        /// The commands of this chapter that a display list can hold.
+        #[expect(non_camel_case_types, reason = "an op carries the name of the command in C")]
+        #[derive(Clone, Debug)]
+        pub(crate) enum Op {
+            $( $name { $($a: $crate::context::table::kinds::owned_ty!($k)),* }, )*
+        }
+
+        impl Op {
+            /// Carries the command out as a display list does: with the checks of its class.
+            #[track_caller]
+            pub(crate) fn run(&self, cx: &mut $crate::context::Context) {
+                match *self {
+                    $( Op::$name { $(ref $a),* } => {
+                        if !$crate::context::table::generate::allowed_inside!($class) && cx.engine.inside_begin_end() {
+                            return cx.refuse_inside(stringify!($name));
+                        }
+                        let result = cx.engine.$snake($($crate::context::table::kinds::lent!($k, $a)),*);
+                        cx.settle(stringify!($name), result)
+                    } )*
+                }
+            }
+        }
+
+        impl $crate::context::table::Run {
+            $(
+                #[inline]
+                #[track_caller]
+                pub(crate) fn $snake(
+                    cx: &mut $crate::context::Context,
+                    name: &'static str,
+                    $($a: $crate::context::table::kinds::engine_ty!($k)),*
+                ) {
+                    if cx.hooks.recording() && !$crate::context::table::generate::immediate!($class $(, $a)*) {
+                        let op = Op::$name { $($a: $crate::context::table::kinds::owned!($k, cx, name, $a)),* };
+                        if !cx.record(name, op) {
+                            return;
+                        }
+                    }
+                    if !$crate::context::table::generate::allowed_inside!($class) && cx.engine.inside_begin_end() {
+                        return cx.refuse_inside(name);
+                    }
+                    let result = cx.engine.$snake($($a),*);
+                    cx.settle(name, result)
+                }
+            )*
+        }
+    };
+}
+
+/// The answer of an engine that has no method of a name. An inherent method of `Engine` takes its place.
+macro_rules! fallbacks {
+    ($( $snake:ident ( $($a:ident : $k:tt),* ) $(-> $r:ty)? ; )*) => {
+        #[allow(dead_code, reason = "a fallback is dead as soon as the engine has the method")]
+        pub(crate) trait Fallback {
+            $(
+                #[cold]
+                fn $snake(
+                    &mut self,
+                    $($a: $crate::context::table::kinds::engine_ty!($k)),*
+                ) -> $crate::error::Outcome<$crate::context::table::generate::or_unit!($($r)?)> {
+                    $( let _ = $a; )*
+                    Err($crate::context::errors::missing(stringify!($snake)))
+                }
+            )*
+        }
+        impl Fallback for $crate::context::engine::Engine {}
+    };
+}
+
+/// A question to the engine. The open display list is the context's own affair.
+macro_rules! ask {
+    ($cx:ident, get($pname:expr)) => { $crate::context::own::get($cx, $pname) };
+    ($cx:ident, $query:ident($($e:expr),*)) => { $cx.engine.$query($($e),*) };
+}
+
+/// The type of a fallback.
+macro_rules! or_unit {
+    () => {
+        ()
+    };
+    ($r:ty) => {
+        $r
+    };
+}
+
+/// The start of every door: plain values, and a line of trace if somebody listens.
+macro_rules! enter {
+    ($cx:ident, $name:expr, $( $a:ident : $k:tt ),*) => {
+        $( #[allow(unused_mut, reason = "only memory that is written needs it")]
+           let mut $a = $crate::context::table::kinds::plain!($k, $a); )*
+        $( let _ = &mut $a; )*
+        if $cx.hooks.tracing() {
+            $cx.trace($name, &[ $( (stringify!($a), $crate::context::table::kinds::shown!($k, $a)) ),* ]);
+        }
+    };
+}
+
+/// A chapter of the table: see `table/mod.rs` for the shape of the rows.
+macro_rules! chapter {
+    (
+        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) ; )* }
+        commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)*
+            $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
+        forms { $( family $sentence:literal { $( $f_class:ident $f_name:ident $(| $f_alias:ident)*
+            $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident ( $($fe:expr),* ) ; )* } )* }
+        own { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
+            $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
+        now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
+            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
+        queries { $( family $q_sentence:literal { $( $q_name:ident $(| $q_alias:ident)*
+            $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident ( $($qe:expr),* ) ; )* } )* }
+        answers { $( $answer:ident ( $($aa:ident : $ak:tt),* ) ; )* }
+        handmade { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* ; )* }
+    ) => {
+        #[allow(unused_imports, reason = "a chapter may have nothing to ask")]
+        use $crate::context::hooks::Questions as _;
+
+        $crate::context::table::generate::ops! {
+            $( $class $name $snake ( $($a : $k),* ) ; )*
+            $( $c_class $c_name $c_snake ( $($ca : $ck),* ) ; )*
+        }
+        $crate::context::table::generate::fallbacks! {
+            $( $snake ( $($a : $k),* ) ; )*
+            $( $c_snake ( $($ca : $ck),* ) ; )*
+            $( $n_snake ( $($na : $nk),* ) $(-> $crate::context::table::kinds::return_ty!($nr))? ; )*
+            $( $answer ( $($aa : $ak),* ) -> $crate::context::Values ; )*
+        }
+
+        /// The rows of this chapter.
+        pub(crate) const ROWS: &[$crate::context::table::Row] = &[
+            $( $crate::context::table::row!($c_class $c_name $(| $c_alias)*), )*
+            $( $( $crate::context::table::row!($f_class $f_name $(| $f_alias)*), )* )*
+            $( $crate::context::table::row!($o_class $o_name $(| $o_alias)*), )*
+            $( $crate::context::table::row!($n_class $n_name $(| $n_alias)*), )*
+            $( $( $crate::context::table::row!(now $q_name $(| $q_alias)*), )* )*
+            $( $crate::context::table::row!($h_class $h_name $(| $h_alias)*), )*
+        ];
+
+        #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
+        impl $crate::context::Context {
+            $(
+                $(#[$doc])*
+                #[doc = concat!("\n\nIn C: `", stringify!($c_name), "`.")]
+                #[inline]
+                #[track_caller]
+                pub fn $c_snake<'a>(&mut self, $($ca: $crate::context::table::kinds::door_ty!($ck)),*) {
+                    let (cx, name) = (self, stringify!($c_name));
+                    $crate::context::table::generate::enter!(cx, name, $($ca : $ck),*);
+                    $( let $ca = $crate::context::table::kinds::checked!($ck, cx, name, $ca); )*
+                    $crate::context::table::Run::$c_snake(cx, name, $($ca),*)
+                }
+            )*
+            $( $(
+                #[doc = $sentence]
+                #[doc = concat!("\n\nIn C: `", stringify!($f_name), "`.")]
+                #[inline]
+                #[track_caller]
+                pub fn $f_snake<'a>(&mut self, $($fa: $crate::context::table::kinds::door_ty!($fk)),*) {
+                    let (cx, name) = (self, stringify!($f_name));
+                    $crate::context::table::generate::enter!(cx, name, $($fa : $fk),*);
+                    $( let $fa = $crate::context::table::kinds::checked!($fk, cx, name, $fa); )*
+                    $crate::context::table::Run::$op(cx, name, $($fe),*)
+                }
+            )* )*
+            $(
+                $(#[$o_doc])*
+                #[doc = concat!("\n\nIn C: `", stringify!($o_name), "`.")]
+                #[track_caller]
+                pub fn $o_snake<'a>(
+                    &mut self, $($oa: $crate::context::table::kinds::door_ty!($ok)),*
+                ) $(-> $crate::context::table::kinds::return_ty!($or))? {
+                    let (cx, name) = (self, stringify!($o_name));
+                    $crate::context::table::generate::enter!(cx, name, $($oa : $ok),*);
+                    $( let $oa = $crate::context::table::kinds::checked!($ok, cx, name, $oa); )*
+                    $crate::context::own::$o_snake(cx, name, $($oa),*)
+                }
+            )*
+            $(
+                $(#[$n_doc])*
+                #[doc = concat!("\n\nIn C: `", stringify!($n_name), "`.")]
+                #[track_caller]
+                pub fn $n_snake<'a>(
+                    &mut self, $($na: $crate::context::table::kinds::door_ty!($nk)),*
+                ) $(-> $crate::context::table::kinds::return_ty!($nr))? {
+                    let (cx, name) = (self, stringify!($n_name));
+                    $crate::context::table::generate::enter!(cx, name, $($na : $nk),*);
+                    if cx.engine.inside_begin_end() {
+                        return cx.refuse_inside(name);
+                    }
+                    $( let $na = $crate::context::table::kinds::checked!($nk, cx, name, $na); )*
+                    let result = cx.engine.$n_snake($($na),*);
+                    cx.settle(name, result)
+                }
+            )*
+            $( $(
+                #[doc = $q_sentence]
+                #[doc = concat!("\n\nIn C: `", stringify!($q_name), "`.")]
+                #[track_caller]
+                pub fn $q_snake<'a>(
+                    &mut self,
+                    $($qa: $crate::context::table::kinds::door_ty!($qk),)*
+                    params: &mut (impl $crate::context::OutSlice<$q_type> + ?Sized),
+                ) {
+                    let (cx, name) = (self, stringify!($q_name));
+                    $crate::context::table::generate::enter!(cx, name, $($qa : $qk),*);
+                    if cx.engine.inside_begin_end() {
+                        return cx.refuse_inside(name);
+                    }
+                    $( let $qa = $crate::context::table::kinds::checked!($qk, cx, name, $qa); )*
+                    let result = $crate::context::table::generate::ask!(cx, $query($($qe),*));
+                    cx.answer(name, result, params.slice_mut())
+                }
+            )* )*
+        }
+    };
+}
+
+pub(crate) use {allowed_inside, ask, chapter, enter, fallbacks, immediate, ops, or_unit};

@@ -1,0 +1,289 @@
+//! What an argument of a table row is at each station of its way: in the signature of a Rust door, in a trace, checked
+//! for the engine, owned by a display list, lent to the engine again. Every kind of argument is one token (or one group)
+//! of the table, and each macro here has one line a kind: to add a kind is to add a line to each.
+
+/// The type of an argument in the signature of a Rust door.
+macro_rules! door_ty {
+    (enum) => { $crate::enums::GLenum };
+    (bits) => { $crate::enums::GLbitfield };
+    (uint) => { $crate::enums::GLuint };
+    (int) => { impl $crate::context::IntoInt };
+    (float) => { impl $crate::context::IntoFloat };
+    (bool) => { impl $crate::context::IntoBool };
+    ([$t:ty; $n:literal]) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
+    ((slice $t:ty : $($count:tt)*)) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
+    ((out $t:ty : $($count:tt)*)) => { &mut (impl $crate::context::OutSlice<$t> + ?Sized) };
+    ((rect $($size:expr),*)) => { impl Into<$crate::context::Pixels<'a>> };
+    ((bytes $size:expr)) => { impl Into<$crate::context::Pixels<'a>> };
+    ((rect_out $($size:expr),*)) => { impl Into<$crate::context::PixelsMut<'a>> };
+    ((tex_out $($size:expr),*)) => { impl Into<$crate::context::PixelsMut<'a>> };
+    ((bytes_out $size:expr)) => { impl Into<$crate::context::PixelsMut<'a>> };
+    ((imaging_out $($size:expr),*)) => { impl Into<$crate::context::PixelsMut<'a>> };
+    (array) => { impl Into<$crate::context::ArrayData> };
+    ((indices $count:ident, $type:ident)) => { impl Into<$crate::context::Indices<'a>> };
+    (index_lists) => { &(impl $crate::context::IndexLists + ?Sized) };
+    ($t:ident) => { $t };
+}
+
+/// An argument of a door as one plain value: the only place where the conversions of the doors happen.
+macro_rules! plain {
+    (int, $a:ident) => {
+        $crate::context::IntoInt::into_int($a)
+    };
+    (float, $a:ident) => {
+        $crate::context::IntoFloat::into_float($a)
+    };
+    (bool, $a:ident) => {
+        $crate::context::IntoBool::into_bool($a)
+    };
+    ([$t:ty; $n:literal], $a:ident) => {
+        $crate::context::InSlice::<$t>::slice($a)
+    };
+    ((slice $t:ty : $($count:tt)*), $a:ident) => {
+        $crate::context::InSlice::<$t>::slice($a)
+    };
+    ((out $t:ty : $($count:tt)*), $a:ident) => {
+        $crate::context::OutSlice::<$t>::slice_mut($a)
+    };
+    ((rect $($size:expr),*), $a:ident) => {
+        Into::<$crate::context::Pixels<'_>>::into($a)
+    };
+    ((bytes $size:expr), $a:ident) => {
+        Into::<$crate::context::Pixels<'_>>::into($a)
+    };
+    ((rect_out $($size:expr),*), $a:ident) => {
+        Into::<$crate::context::PixelsMut<'_>>::into($a)
+    };
+    ((tex_out $($size:expr),*), $a:ident) => {
+        Into::<$crate::context::PixelsMut<'_>>::into($a)
+    };
+    ((bytes_out $size:expr), $a:ident) => {
+        Into::<$crate::context::PixelsMut<'_>>::into($a)
+    };
+    ((imaging_out $($size:expr),*), $a:ident) => {
+        Into::<$crate::context::PixelsMut<'_>>::into($a)
+    };
+    (array, $a:ident) => {
+        Into::<$crate::context::ArrayData>::into($a)
+    };
+    ((indices $count:ident, $type:ident), $a:ident) => {
+        Into::<$crate::context::Indices<'_>>::into($a)
+    };
+    (index_lists, $a:ident) => {
+        $crate::context::IndexLists::lists($a)
+    };
+    ($k:tt, $a:ident) => {
+        $a
+    };
+}
+
+/// A plain value as a trace shows it.
+macro_rules! shown {
+    (enum, $a:ident) => {
+        &$crate::context::trace::Enumerant($a)
+    };
+    (bits, $a:ident) => {
+        &$crate::context::trace::Bits($a)
+    };
+    ($k:tt, $a:ident) => {
+        &$a
+    };
+}
+
+/// A plain value as the engine takes it. Memory that is too short ends the command with an error here.
+macro_rules! checked {
+    ([$t:ty; $n:literal], $cx:ident, $name:ident, $a:ident) => {
+        match $a.first_chunk::<$n>() {
+            Some(values) => values,
+            None => return $cx.short($name, stringify!($a), $n, $a.len(), "values"),
+        }
+    };
+    ((slice $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $crate::context::counts::$($count)*;
+        match $a.get(..needed) {
+            Some(values) => values,
+            None => return $cx.short($name, stringify!($a), needed, $a.len(), "values"),
+        }
+    }};
+    ((out $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {{
+        let (needed, there) = ($crate::context::counts::$($count)*, $a.len());
+        match $a.get_mut(..needed) {
+            Some(values) => values,
+            None => return $cx.short($name, stringify!($a), needed, there, "values"),
+        }
+    }};
+    ((rect $w:expr, $h:expr, $d:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
+        if let Some(bytes) = $a.bytes()
+            && !$a.is_tight()
+        {
+            let needed = $cx.engine.unpack_bytes($w, $h, $d, $format, $type);
+            if bytes.len() < needed {
+                return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
+            }
+        }
+        &$a
+    }};
+    ((bytes $size:expr), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $crate::context::counts::size($size);
+        if let Some(bytes) = $a.bytes()
+            && bytes.len() < needed
+        {
+            return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
+        }
+        &$a
+    }};
+    ((rect_out $w:expr, $h:expr, $d:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $cx.engine.pack_bytes($w, $h, $d, $format, $type);
+        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
+    }};
+    ((tex_out $target:expr, $level:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $cx.engine.tex_image_bytes($target, $level, $format, $type);
+        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
+    }};
+    ((imaging_out $target:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $cx.engine.imaging_bytes($target, $format, $type);
+        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
+    }};
+    ((bytes_out compressed_size($target:expr, $level:expr)), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $cx.engine.compressed_tex_image_bytes($target, $level);
+        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
+    }};
+    ((bytes_out $size:expr), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $crate::context::counts::size($size);
+        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
+    }};
+    (@out $needed:ident, $cx:ident, $name:ident, $a:ident) => {
+        match $a {
+            $crate::context::PixelsMut::Bytes(bytes) if bytes.len() >= $needed => bytes,
+            $crate::context::PixelsMut::Null if $needed == 0 => &mut [],
+            $crate::context::PixelsMut::Bytes(bytes) => {
+                return $cx.short($name, stringify!($a), $needed, bytes.len(), "bytes");
+            }
+            $crate::context::PixelsMut::Null => return $cx.short($name, stringify!($a), $needed, 0, "bytes"),
+        }
+    };
+    ((indices $count:ident, $type:ident), $cx:ident, $name:ident, $a:ident) => {{
+        let needed = $crate::context::counts::indices($count, $type);
+        match &$a {
+            $crate::context::Indices::Bytes(bytes) if bytes.len() < needed => {
+                return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
+            }
+            _ => &$a,
+        }
+    }};
+    (index_lists, $cx:ident, $name:ident, $a:ident) => { &$a[..] };
+    ($k:tt, $cx:ident, $name:ident, $a:ident) => { $a };
+}
+
+/// The type of an argument in the signature of an engine method.
+macro_rules! engine_ty {
+    (enum) => { u32 };
+    (bits) => { u32 };
+    (uint) => { u32 };
+    (int) => { i32 };
+    (float) => { f32 };
+    ({$t:ty}) => { $t };
+    (params) => { &$crate::context::Params };
+    (matrix) => { &[f64; 16] };
+    ([$t:ty; $n:literal]) => { &[$t; $n] };
+    ((slice $t:ty : $($count:tt)*)) => { &[$t] };
+    ((out $t:ty : $($count:tt)*)) => { &mut [$t] };
+    ((rect $($size:expr),*)) => { &$crate::context::Pixels<'_> };
+    ((bytes $size:expr)) => { &$crate::context::Pixels<'_> };
+    ((rect_out $($size:expr),*)) => { &mut [u8] };
+    ((tex_out $($size:expr),*)) => { &mut [u8] };
+    ((imaging_out $($size:expr),*)) => { &mut [u8] };
+    ((bytes_out $($size:tt)*)) => { &mut [u8] };
+    (array) => { $crate::context::ArrayData };
+    ((indices $count:ident, $type:ident)) => { &$crate::context::Indices<'_> };
+    (index_lists) => { &[$crate::context::Indices<'_>] };
+    ($t:ident) => { $t };
+}
+
+/// The type of an argument that a display list owns.
+macro_rules! owned_ty {
+    (enum) => { u32 };
+    (bits) => { u32 };
+    (uint) => { u32 };
+    (int) => { i32 };
+    (float) => { f32 };
+    ({$t:ty}) => { $t };
+    (params) => { $crate::context::Params };
+    (matrix) => { Box<[f64; 16]> };
+    ([$t:ty; $n:literal]) => { Box<[$t; $n]> };
+    ((slice $t:ty : $($count:tt)*)) => { Box<[$t]> };
+    ((rect $($size:expr),*)) => { $crate::context::Pixels<'static> };
+    ((bytes $size:expr)) => { $crate::context::Pixels<'static> };
+    ($t:ident) => { $t };
+}
+
+/// An argument of the engine as a display list owns it. Pixels are captured under the present unpack state.
+macro_rules! owned {
+    (params, $cx:ident, $name:ident, $a:ident) => {
+        *$a
+    };
+    (matrix, $cx:ident, $name:ident, $a:ident) => {
+        Box::new(*$a)
+    };
+    ([$t:ty; $n:literal], $cx:ident, $name:ident, $a:ident) => {
+        Box::new(*$a)
+    };
+    ((slice $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {
+        match $crate::context::recorder::keep($a) {
+            Ok(kept) => kept,
+            Err(error) => return $cx.fail($name, error),
+        }
+    };
+    ((rect $w:expr, $h:expr, $d:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {
+        match $cx.engine.capture_pixels($w, $h, $d, $format, $type, $a) {
+            Ok(kept) => kept,
+            Err(error) => return $cx.fail($name, error),
+        }
+    };
+    ((bytes $size:expr), $cx:ident, $name:ident, $a:ident) => {
+        match $crate::context::recorder::keep_bytes($a) {
+            Ok(kept) => kept,
+            Err(error) => return $cx.fail($name, error),
+        }
+    };
+    ($k:tt, $cx:ident, $name:ident, $a:ident) => {
+        $a
+    };
+}
+
+/// An owned argument as the engine takes it.
+macro_rules! lent {
+    (params, $a:ident) => {
+        $a
+    };
+    (matrix, $a:ident) => {
+        $a
+    };
+    ([$t:ty; $n:literal], $a:ident) => {
+        $a
+    };
+    ((slice $t:ty : $($count:tt)*), $a:ident) => {
+        $a
+    };
+    ((rect $($size:expr),*), $a:ident) => {
+        $a
+    };
+    ((bytes $size:expr), $a:ident) => {
+        $a
+    };
+    ($k:tt, $a:ident) => {
+        *$a
+    };
+}
+
+/// What a command returns.
+macro_rules! return_ty {
+    () => { () };
+    (uint) => { u32 };
+    (enum) => { u32 };
+    (int) => { i32 };
+    (bool) => { bool };
+    (str) => { &'static str };
+}
+
+pub(crate) use {checked, door_ty, engine_ty, lent, owned, owned_ty, plain, return_ty, shown};
