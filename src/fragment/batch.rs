@@ -100,6 +100,37 @@ impl FragmentBatch {
     }
 }
 
+impl FragmentBatch {
+    /// Takes all fragments out.
+    #[inline]
+    pub fn clear(&mut self) {
+        self.segment_count = 0;
+        self.tex.n = 0;
+    }
+
+    /// How many more fragments fit in.
+    #[inline]
+    #[must_use]
+    pub fn room(&self) -> usize {
+        LANES - self.tex.n.min(LANES)
+    }
+
+    /// Appends a run of neighbouring pixels: as many of `len` as fit in, whose number it returns.
+    #[inline]
+    pub fn push_row(&mut self, prim: u32, x: i32, y: i32, offset: u32, len: u32) -> u32 {
+        let len = len.min(self.room() as u32);
+        match self.segments.get_mut(self.segment_count) {
+            Some(segment) if len > 0 => {
+                *segment = Segment { prim, start: self.tex.n as u32, len, x, y, offset, row: true };
+                self.segment_count += 1;
+                self.tex.n += len as usize;
+                len
+            }
+            _ => 0,
+        }
+    }
+}
+
 impl Default for FragmentBatch {
     fn default() -> Self {
         Self::new()

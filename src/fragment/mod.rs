@@ -2,4 +2,12 @@
 //! tests, blending and the store into the framebuffer, as a plan of stages over batches of 64 fragments.
 
 pub mod batch;
+mod buffers;
+pub mod compare;
+mod depth;
+mod interpolate;
+mod pack;
 pub mod planes;
+pub mod program;
+mod segments;
+pub mod uniforms;

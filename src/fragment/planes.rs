@@ -11,6 +11,9 @@
 //!   df/dx = (N_x - (N / D) D_x) / D
 //! ```
 //!
+//! Every linear function is summed as `(at + y dy) + x dx`. For `wide` primitives D and N are f64 and 1/D is
+//! `r (2 - D r)` with `r = 1 / (D as f32)`; else all is f32, from coefficients rounded to f32.
+//!
 //! x and y are pixels relative to the primitive's origin (an integer pixel in it), so that moving a primitive by whole
 //! pixels changes no bit.
 
@@ -41,7 +44,8 @@ pub struct Layout {
     pub color: Option<usize>,
     /// Slot of the secondary colour, 3 floats.
     pub secondary: Option<usize>,
-    /// Slot of the fog coordinate, 1 float.
+    /// Slot of the fog coordinate, 1 float: the distance from the eye (not negative), or the vertices' fog coordinate,
+    /// as the state asks for.
     pub fog: Option<usize>,
     /// Slots of each unit's coordinates.
     pub units: [Option<UnitSlots>; MAX_TEXTURE_UNITS],
@@ -97,8 +101,15 @@ pub struct Planes {
     /// Whether D is exactly 1 everywhere.
     pub affine: bool,
     /// Bit u: unit u's coordinates need f64 evaluation (their range in texels and of w is too wide for f32).
+    /// [`Planes::WIDE_W`]: the range of w alone is too wide, so colours and fog coordinate need it too.
     pub wide: u32,
     /// Index of the first slot's [`Plane`] in the scene's pool; slot k is at `first + k`. The plane of a unit's q slot
     /// holds Q in n0, nx, ny.
     pub first: u32,
+}
+
+impl Planes {
+    /// Bit of `wide`: 1/w varies so much over the primitive (by more than about 1000) that D must be summed in f64 for
+    /// colours and the fog coordinate as well.
+    pub const WIDE_W: u32 = 1 << 31;
 }

@@ -10,6 +10,7 @@ mod rows;
 
 pub use accum::AccumOp;
 pub use band::Band;
+pub(crate) use clear::packed_mask;
 pub use clear::{Clear, Rect};
 pub use client::ClientMemory;
 

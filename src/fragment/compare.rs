@@ -1,0 +1,117 @@
+//! The eight comparison functions of the alpha, stencil and depth tests (OpenGL 1.5, sections 4.1.4 to 4.1.6), over the
+//! lanes of a batch.
+
+use crate::batch::LANES;
+use crate::enums::{
+    GL_ALWAYS, GL_EQUAL, GL_GEQUAL, GL_GREATER, GL_LEQUAL, GL_LESS, GL_NEVER, GL_NOTEQUAL, GLenum, name,
+};
+
+/// A comparison function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Func {
+    /// Never passes.
+    Never,
+    /// Passes where the fragment's value is less.
+    Less,
+    /// Passes where it is equal.
+    Equal,
+    /// Passes where it is less or equal.
+    Lequal,
+    /// Passes where it is greater.
+    Greater,
+    /// Passes where it differs.
+    Notequal,
+    /// Passes where it is greater or equal.
+    Gequal,
+    /// Always passes.
+    Always,
+}
+
+impl Func {
+    /// All functions, in the order of their enumerants.
+    pub const ALL: [Self; 8] =
+        [Self::Never, Self::Less, Self::Equal, Self::Lequal, Self::Greater, Self::Notequal, Self::Gequal, Self::Always];
+    const ENUMERANTS: [GLenum; 8] =
+        [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];
+
+    /// The function of an enumerant; ALWAYS for what is none (the commands let no such value into the state).
+    #[must_use]
+    pub fn from_enum(value: GLenum) -> Self {
+        let i = Self::ENUMERANTS.iter().position(|e| *e == value).unwrap_or(7);
+        Self::from_arg(i as u32)
+    }
+
+    /// The function that a stage's number stands for.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_arg(arg: u32) -> Self {
+        Self::ALL[(arg & 7) as usize]
+    }
+
+    /// GL's name.
+    #[must_use]
+    pub fn name(self) -> String {
+        name(Self::ENUMERANTS[self as usize])
+    }
+}
+
+/// Kills the lanes where `a func b` does not hold.
+#[inline(always)]
+pub(super) fn compare<T: Copy + PartialOrd>(func: Func, a: &[T; LANES], b: &[T; LANES], mask: &mut [u32; LANES]) {
+    #[inline(always)]
+    fn each<T: Copy>(a: &[T; LANES], b: &[T; LANES], mask: &mut [u32; LANES], test: impl Fn(T, T) -> bool) {
+        for i in 0..LANES {
+            mask[i] = if test(a[i], b[i]) { mask[i] } else { 0 };
+        }
+    }
+    match func {
+        Func::Never => *mask = [0; LANES],
+        Func::Less => each(a, b, mask, |a, b| a < b),
+        Func::Equal => each(a, b, mask, |a, b| a == b),
+        Func::Lequal => each(a, b, mask, |a, b| a <= b),
+        Func::Greater => each(b, a, mask, |a, b| a < b),
+        Func::Notequal => each(a, b, mask, |a, b| a != b),
+        Func::Gequal => each(b, a, mask, |a, b| a <= b),
+        Func::Always => {}
+    }
+}
+
+/// Whether any lane is alive.
+#[inline(always)]
+pub(super) fn any(mask: &[u32; LANES]) -> bool {
+    let mut all = 0;
+    for m in mask {
+        all |= m;
+    }
+    all != 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_functions_do_what_their_names_say() {
+        let a: [u32; LANES] = std::array::from_fn(|i| i as u32 % 3);
+        let b: [u32; LANES] = std::array::from_fn(|i| i as u32 / 3 % 3);
+        let pass: [fn(u32, u32) -> bool; 8] = [
+            |_, _| false,
+            |a, b| a < b,
+            |a, b| a == b,
+            |a, b| a <= b,
+            |a, b| a > b,
+            |a, b| a != b,
+            |a, b| a >= b,
+            |_, _| true,
+        ];
+        for func in Func::ALL {
+            let mut mask = [u32::MAX; LANES];
+            compare(func, &a, &b, &mut mask);
+            for i in 0..LANES {
+                assert_eq!(mask[i] != 0, pass[func as usize](a[i], b[i]), "{func:?} {} {}", a[i], b[i]);
+            }
+            assert_eq!(Func::from_enum(Func::ENUMERANTS[func as usize]), func);
+        }
+        assert_eq!(Func::Gequal.name(), "GL_GEQUAL");
+    }
+}

@@ -1,0 +1,84 @@
+//! Depth (OpenGL 1.5, sections 3.5.5 end and 4.1.6): the window depth of each fragment as an integer of the depth buffer,
+//! and the depth test. Depth is linear in the window, so it is summed in `f64` and rounded once; the same primitive drawn
+//! with other state gets the same integers, which EQUAL relies on.
+
+use super::batch::FragmentBatch;
+use super::buffers::{fresh_mask, load_lanes, store_lanes};
+use super::compare::{Func, any, compare};
+use super::planes::Linear;
+use super::segments::{CHUNK, linear64, pieces, positions, put, row_origin, single_row};
+use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::batch::{LANES, stage};
+
+/// 2^52: a float whose unit in the last place is 1, so that the low half of its bits is the rounded integer.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+
+/// A depth as an integer of the buffer: limited to 0..=max (NaN gives 0), rounded to the nearest, ties to even.
+#[inline(always)]
+fn quantise(z: f64, max: f64) -> u32 {
+    let z = if z > 0.0 { z } else { 0.0 };
+    let z = if z < max { z } else { max };
+    (z + WHOLE).to_bits() as u32
+}
+
+/// Depth of a row segment that begins at lane 0.
+#[inline(always)]
+fn row(z: &Linear, x0: i32, y: i32, max: f64, out: &mut [u32; LANES]) {
+    let at = z.at + z.y * f64::from(y);
+    if z.x == 0.0 {
+        // (at + 0 x) is at, or at with the sign of a zero changed.
+        *out = [quantise(at, max); LANES];
+    } else {
+        for i in 0..LANES {
+            out[i] = quantise(at + z.x * f64::from(x0.wrapping_add(i as i32)), max);
+        }
+    }
+}
+
+/// Bit of [`DEPTH_TEST`]'s number: depths are written. The function stands above it.
+pub(super) const WRITE: u32 = 1;
+
+stage! {
+    /// All lanes in use are alive.
+    pub(super) fn BEGIN: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+        fresh_mask(b);
+    }
+
+    /// The depth of each fragment.
+    pub(super) fn DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        let max = u.depth_max;
+        if single_row(b) && let Some(planes) = w.planes.get(b.segments[0].prim as usize) {
+            let (x0, y) = row_origin(&b.segments[0], planes);
+            row(&planes.z, x0, y, max, &mut b.z);
+            return;
+        }
+        for s in 0..b.segment_count.min(LANES) {
+            let segment = b.segments[s];
+            let Some(planes) = w.planes.get(segment.prim as usize) else { continue };
+            for piece in pieces(&segment) {
+                let (dx, dy) = positions(b, &segment, planes, piece);
+                let z = linear64(&planes.z, &dx, &dy);
+                let mut out = [0; CHUNK];
+                for i in 0..CHUNK {
+                    out[i] = quantise(z[i], max);
+                }
+                put(&mut b.z, piece, &out);
+            }
+        }
+    }
+
+    /// The depth test, and with [`WRITE`] the new depths of the fragments that pass.
+    pub(super) fn DEPTH_TEST: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        load_lanes!(b, w.band.depth, depth);
+        compare(Func::from_arg(arg >> 1), &b.z, &b.depth, &mut b.tex.mask);
+        b.alive = any(&b.tex.mask);
+        if arg & WRITE != 0 && b.alive {
+            store_lanes!(b, &b.tex.mask, z, w.band.depth);
+        }
+    }
+
+    /// The new depths of the fragments that have passed all tests.
+    pub(super) fn DEPTH_WRITE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        store_lanes!(b, &b.tex.mask, z, w.band.depth);
+    }
+}

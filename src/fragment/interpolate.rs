@@ -1,0 +1,177 @@
+//! Interpolation of colours and fog coordinates (OpenGL 1.5, sections 3.4.1, 3.5.1): every slot's plane is evaluated at
+//! the pixel, as `clamp(c + N / D, min, max)` (see [`planes`](super::planes)). D is shared by all slots, so 1 / D is kept
+//! for the stages that follow.
+
+use super::batch::{FragmentBatch, Segment};
+use super::planes::{Plane, Planes};
+use super::segments::{CHUNK, Chunk, Piece, chunk, linear, linear64, pieces, positions, put, row_origin, single_row};
+use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::batch::{LANES, stage};
+use crate::num::clamp_f32;
+use crate::texture::batch::Lanes;
+
+/// 1 / D with one Newton step in `f64`: what the planes of wide primitives are multiplied with.
+#[inline(always)]
+pub(super) fn reciprocal64(d: f64) -> f64 {
+    let r = f64::from(1.0 / d as f32);
+    r * (2.0 - d * r)
+}
+
+/// 1 / D of a piece.
+#[inline(always)]
+fn reciprocal(planes: &Planes, dx: &Chunk, dy: &Chunk) -> Chunk {
+    let mut rw = [0.0; CHUNK];
+    if planes.wide & Planes::WIDE_W != 0 {
+        let d = linear64(&planes.d, dx, dy);
+        for i in 0..CHUNK {
+            rw[i] = reciprocal64(d[i]) as f32;
+        }
+    } else {
+        let d = linear(planes.d.at as f32, planes.d.x as f32, planes.d.y as f32, dx, dy);
+        for i in 0..CHUNK {
+            rw[i] = 1.0 / d[i];
+        }
+    }
+    rw
+}
+
+/// The value of a plane at the lanes of a piece.
+#[inline(always)]
+pub(super) fn value(p: &Plane, wide: bool, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
+    let mut n = linear(p.n0 as f32, p.nx as f32, p.ny as f32, dx, dy);
+    if wide {
+        for i in 0..CHUNK {
+            n[i] = ((p.n0 + p.ny * f64::from(dy[i])) + p.nx * f64::from(dx[i])) as f32;
+        }
+    }
+    for i in 0..CHUNK {
+        n[i] = clamp_f32(p.c + n[i] * rw[i], p.min, p.max);
+    }
+    n
+}
+
+/// The primitive of a segment and the planes of its slots from `slot` on.
+#[inline(always)]
+pub(super) fn primitive<'a, const K: usize>(
+    work: &Work<'a, '_>,
+    segment: &Segment,
+    slot: usize,
+) -> Option<(&'a Planes, &'a [Plane; K])> {
+    let planes = work.planes.get(segment.prim as usize)?;
+    let first = (planes.first as usize).checked_add(slot)?;
+    Some((planes, work.pool.get(first..)?.first_chunk()?))
+}
+
+/// Makes sure that `rw` holds 1 / D: `first` is whether this stage is the first to need it.
+#[inline(always)]
+pub(super) fn reciprocals(
+    b: &mut FragmentBatch,
+    planes: &Planes,
+    first: bool,
+    piece: Piece,
+    dx: &Chunk,
+    dy: &Chunk,
+) -> Chunk {
+    if first {
+        let rw = reciprocal(planes, dx, dy);
+        put(&mut b.rw, piece, &rw);
+        rw
+    } else {
+        chunk(&b.rw, piece)
+    }
+}
+
+/// One row of one primitive that fills the batch: K slots from `slot` on.
+#[inline(always)]
+fn row<const K: usize>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; K], first: bool, out: &mut [Lanes; K]) {
+    let (x0, y) = row_origin(&b.segments[0], planes);
+    let y = y as f32;
+    if first {
+        if planes.affine {
+            b.rw = [1.0; LANES];
+        } else {
+            let (at, x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
+            for i in 0..LANES {
+                b.rw[i] = 1.0 / (at + x * x0.wrapping_add(i as i32) as f32);
+            }
+        }
+    }
+    for k in 0..K {
+        let p = &pool[k];
+        let (at, x) = (p.n0 as f32 + p.ny as f32 * y, p.nx as f32);
+        let out = &mut out[k];
+        if p.min == p.max {
+            *out = [p.max; LANES];
+        } else if planes.affine {
+            for i in 0..LANES {
+                let n = at + x * x0.wrapping_add(i as i32) as f32;
+                out[i] = clamp_f32(p.c + n, p.min, p.max);
+            }
+        } else {
+            for i in 0..LANES {
+                let n = at + x * x0.wrapping_add(i as i32) as f32;
+                out[i] = clamp_f32(p.c + n * b.rw[i], p.min, p.max);
+            }
+        }
+    }
+}
+
+/// K slots from `slot` on for all segments.
+#[inline(always)]
+fn slots<const K: usize>(
+    b: &mut FragmentBatch,
+    work: &Work<'_, '_>,
+    slot: Option<usize>,
+    first: bool,
+    out: impl Fn(&mut FragmentBatch) -> &mut [Lanes; K],
+) {
+    let Some(slot) = slot else { return };
+    if single_row(b)
+        && let Some((planes, pool)) = primitive::<K>(work, &b.segments[0], slot)
+        && planes.wide & Planes::WIDE_W == 0
+    {
+        let mut lanes = [[0.0; LANES]; K];
+        row(b, planes, pool, first, &mut lanes);
+        *out(b) = lanes;
+        return;
+    }
+    for s in 0..b.segment_count.min(LANES) {
+        let segment = b.segments[s];
+        let Some((planes, pool)) = primitive::<K>(work, &segment, slot) else { continue };
+        for piece in pieces(&segment) {
+            let (dx, dy) = positions(b, &segment, planes, piece);
+            let rw = reciprocals(b, planes, first, piece, &dx, &dy);
+            let lanes = out(b);
+            for k in 0..K {
+                let v = value(&pool[k], planes.wide & Planes::WIDE_W != 0, &dx, &dy, &rw);
+                put(&mut lanes[k], piece, &v);
+            }
+        }
+    }
+}
+
+/// Bit of a stage's number: the stage is the first that needs 1 / D.
+pub(super) const FIRST: u32 = 1;
+
+stage! {
+    /// The primary colour, as the fragment's colour.
+    pub(super) fn COLOR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        slots(b, w, u.layout.color, arg & FIRST != 0, |b| &mut b.tex.previous);
+    }
+
+    /// The primary colour for texture environments, which may read it at any unit.
+    pub(super) fn PRIMARY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        slots(b, w, u.layout.color, arg & FIRST != 0, |b| &mut b.tex.primary);
+        b.tex.previous = b.tex.primary;
+    }
+
+    /// The secondary colour.
+    pub(super) fn SECONDARY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        slots(b, w, u.layout.secondary, arg & FIRST != 0, |b| &mut b.secondary);
+    }
+
+    /// The fog coordinate.
+    pub(super) fn FOG_COORDINATE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        slots(b, w, u.layout.fog, arg & FIRST != 0, |b| std::array::from_mut(&mut b.fog));
+    }
+}

@@ -1,0 +1,121 @@
+//! Colours as packed pixels (OpenGL 1.5, section 2.14.9: to fixed point by rounding to the nearest), and their store.
+//!
+//! Where nothing comes between interpolation and the store, [`COLOR_PACKED`] does both at once: a primitive of one colour
+//! is rounded once for a whole segment, others are rounded in registers.
+
+use super::batch::FragmentBatch;
+use super::buffers::{load_lanes, store_lanes};
+use super::interpolate::{FIRST, primitive, reciprocals, value};
+use super::planes::{Plane, Planes};
+use super::segments::{CHUNK, pieces, positions, put, row_origin, single_row};
+use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::batch::{LANES, stage};
+use crate::num::{clamp_f32, clamp01, round_to_int};
+
+/// A channel in [0, 1] as a byte.
+#[inline(always)]
+pub(super) fn byte(v: f32) -> u32 {
+    round_to_int(clamp01(v) * 255.0).cast_unsigned()
+}
+
+/// Four bytes as a pixel.
+#[inline(always)]
+pub(super) fn pixel(r: u32, g: u32, b: u32, a: u32) -> u32 {
+    r | g << 8 | b << 16 | a << 24
+}
+
+/// The packed colour of a primitive whose four colour planes are constant.
+#[inline(always)]
+fn constant(pool: &[Plane; 4]) -> Option<u32> {
+    let flat = pool.iter().all(|p| p.min == p.max);
+    flat.then(|| pixel(byte(pool[0].max), byte(pool[1].max), byte(pool[2].max), byte(pool[3].max)))
+}
+
+/// A row of one primitive that fills the batch.
+#[inline(always)]
+fn row(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; 4], or: u32) {
+    let (x0, y) = row_origin(&b.segments[0], planes);
+    let y = y as f32;
+    let at: [f32; 4] = std::array::from_fn(|k| pool[k].n0 as f32 + pool[k].ny as f32 * y);
+    let x: [f32; 4] = std::array::from_fn(|k| pool[k].nx as f32);
+    let c: [f32; 4] = std::array::from_fn(|k| pool[k].c);
+    let min: [f32; 4] = std::array::from_fn(|k| pool[k].min);
+    let max: [f32; 4] = std::array::from_fn(|k| pool[k].max);
+    if planes.affine {
+        for i in 0..LANES {
+            let dx = x0.wrapping_add(i as i32) as f32;
+            let v = |k: usize| byte(clamp_f32(c[k] + (at[k] + x[k] * dx), min[k], max[k]));
+            b.packed[i] = pixel(v(0), v(1), v(2), v(3)) | or;
+        }
+    } else {
+        let (d_at, d_x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
+        for i in 0..LANES {
+            let dx = x0.wrapping_add(i as i32) as f32;
+            let rw = 1.0 / (d_at + d_x * dx);
+            let v = |k: usize| byte(clamp_f32(c[k] + (at[k] + x[k] * dx) * rw, min[k], max[k]));
+            b.packed[i] = pixel(v(0), v(1), v(2), v(3)) | or;
+        }
+    }
+}
+
+stage! {
+    /// The interpolated primary colour, packed: what [`COLOR`](super::interpolate::COLOR) and [`PACK`] would give.
+    pub(super) fn COLOR_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let Some(slot) = u.layout.color else { return };
+        if single_row(b) && let Some((planes, pool)) = primitive::<4>(w, &b.segments[0], slot) {
+            if let Some(packed) = constant(pool) {
+                b.packed = [packed | u.packed_or; LANES];
+                return;
+            }
+            if planes.wide & Planes::WIDE_W == 0 {
+                row(b, planes, pool, u.packed_or);
+                return;
+            }
+        }
+        for s in 0..b.segment_count.min(LANES) {
+            let segment = b.segments[s];
+            let Some((planes, pool)) = primitive::<4>(w, &segment, slot) else { continue };
+            let flat = constant(pool);
+            for piece in pieces(&segment) {
+                let mut out = [0; CHUNK];
+                if let Some(packed) = flat {
+                    out = [packed | u.packed_or; CHUNK];
+                } else {
+                    let (dx, dy) = positions(b, &segment, planes, piece);
+                    let rw = reciprocals(b, planes, arg & FIRST != 0, piece, &dx, &dy);
+                    let wide = planes.wide & Planes::WIDE_W != 0;
+                    let v: [_; 4] = std::array::from_fn(|k| value(&pool[k], wide, &dx, &dy, &rw));
+                    for i in 0..CHUNK {
+                        out[i] = pixel(byte(v[0][i]), byte(v[1][i]), byte(v[2][i]), byte(v[3][i])) | u.packed_or;
+                    }
+                }
+                put(&mut b.packed, piece, &out);
+            }
+        }
+    }
+
+    /// The fragment's colour, packed.
+    pub(super) fn PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+        let [red, green, blue, alpha] = &b.tex.previous;
+        for i in 0..LANES {
+            b.packed[i] = pixel(byte(red[i]), byte(green[i]), byte(blue[i]), byte(alpha[i])) | u.packed_or;
+        }
+    }
+
+    /// Reads the pixels.
+    pub(super) fn LOAD: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        load_lanes!(b, w.band.rgba8, packed_dst);
+    }
+
+    /// Bytes that the colour mask protects stay as they are.
+    pub(super) fn COLOR_MASK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+        for i in 0..LANES {
+            b.packed[i] = (b.packed[i] & u.color_mask) | (b.packed_dst[i] & !u.color_mask);
+        }
+    }
+
+    /// Writes the pixels of the fragments that are alive.
+    pub(super) fn STORE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        store_lanes!(b, &b.tex.mask, packed, w.band.rgba8);
+    }
+}

@@ -1,0 +1,102 @@
+//! Walking the segments of a batch in chunks of 16 lanes. Large primitives fill whole batches with one row segment, small
+//! ones leave many segments of a few lanes; a chunk is computed whole in either case, so that it stays SIMD code, and
+//! what a chunk computes beyond its segment is overwritten by the next segment or belongs to no fragment.
+
+use super::batch::{FragmentBatch, Segment};
+use super::planes::{Linear, Planes};
+use crate::batch::LANES;
+
+/// Lanes of a chunk.
+pub(super) const CHUNK: usize = 16;
+
+/// Floats of a chunk.
+pub(super) type Chunk = [f32; CHUNK];
+
+/// Part of a segment: lanes `base..base + CHUNK`, of which those from `base + skip` on are to be written.
+#[derive(Clone, Copy)]
+pub(super) struct Piece {
+    pub base: usize,
+    pub skip: usize,
+    /// Lanes that belong to the segment, from `base + skip` on.
+    pub len: usize,
+}
+
+/// The pieces of a segment.
+#[inline(always)]
+pub(super) fn pieces(segment: &Segment) -> impl Iterator<Item = Piece> + use<> {
+    let start = (segment.start as usize).min(LANES);
+    let end = (start + (segment.len as usize).min(LANES)).min(LANES);
+    (start..end).step_by(CHUNK).map(move |first| {
+        // The last lanes of a batch are reached by a chunk that begins earlier.
+        let base = first.min(LANES - CHUNK);
+        Piece { base, skip: first - base, len: (end - first).min(CHUNK) }
+    })
+}
+
+/// Whether one row segment fills the batch from lane 0, so that stages may compute all lanes as one row.
+#[inline(always)]
+pub(super) fn single_row(b: &FragmentBatch) -> bool {
+    b.segment_count == 1 && b.segments[0].row && b.segments[0].start == 0
+}
+
+/// The lanes of a piece.
+#[inline(always)]
+pub(super) fn chunk<T: Copy + Default>(lanes: &[T; LANES], piece: Piece) -> [T; CHUNK] {
+    lanes.get(piece.base..).and_then(|l| l.first_chunk()).copied().unwrap_or([T::default(); CHUNK])
+}
+
+/// Writes the lanes of a piece.
+#[inline(always)]
+pub(super) fn put<T: Copy>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHUNK]) {
+    let Some(out) = lanes.get_mut(piece.base..).and_then(|l| l.first_chunk_mut::<CHUNK>()) else { return };
+    if piece.skip == 0 {
+        *out = *value;
+    } else {
+        for i in 0..CHUNK {
+            out[i] = if i >= piece.skip { value[i] } else { out[i] };
+        }
+    }
+}
+
+/// Pixel positions of a piece relative to the primitive's origin.
+#[inline(always)]
+pub(super) fn positions(b: &FragmentBatch, segment: &Segment, planes: &Planes, piece: Piece) -> (Chunk, Chunk) {
+    if segment.row {
+        let (x, y) = row_origin(segment, planes);
+        let x = x.wrapping_add(piece.base as i32);
+        let mut dx = [0.0; CHUNK];
+        for i in 0..CHUNK {
+            dx[i] = x.wrapping_add(i as i32) as f32;
+        }
+        (dx, [y as f32; CHUNK])
+    } else {
+        (chunk(&b.dx, piece), chunk(&b.dy, piece))
+    }
+}
+
+/// Position, relative to the primitive's origin, that lane 0 would have if the row segment began there.
+#[inline(always)]
+pub(super) fn row_origin(segment: &Segment, planes: &Planes) -> (i32, i32) {
+    let x = segment.x.wrapping_sub(planes.origin[0]).wrapping_sub(segment.start as i32);
+    (x, segment.y.wrapping_sub(planes.origin[1]))
+}
+
+/// A linear function in `f32`, summed in the order that all paths share: (at + y dy) + x dx.
+#[inline(always)]
+pub(super) fn linear(at: f32, x: f32, y: f32, dx: &Chunk, dy: &Chunk) -> Chunk {
+    let mut out = [0.0; CHUNK];
+    for i in 0..CHUNK {
+        out[i] = (at + y * dy[i]) + x * dx[i];
+    }
+    out
+}
+
+/// The same in `f64`.
+#[inline(always)]
+pub(super) fn linear64(l: &Linear, dx: &Chunk, dy: &Chunk) -> [f64; CHUNK] {
+    let mut out = [0.0; CHUNK];
+    for i in 0..CHUNK {
+        out[i] = (l.at + l.y * f64::from(dy[i])) + l.x * f64::from(dx[i]);
+    }
+    out
+}
