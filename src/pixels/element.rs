@@ -1,7 +1,9 @@
 //! One number of client memory (OpenGL 1.5, tables 2.9, 4.6 and 4.7). An unsigned number of n bits stands for c/(2^n - 1),
 //! a signed one for (2c + 1)/(2^n - 1), a float for itself; numbers of 32 bits go through f64 so that nothing is lost
-//! before the one rounding to f32. The way back rounds to the nearest number. Memory is in the order of the machine's
+//! before the one rounding to f32 (`num` has the conversions). The way back rounds to the nearest number. Memory is in the order of the machine's
 //! bytes, reversed on request.
+
+use crate::num;
 
 /// A type whose elements hold one component.
 pub trait Element: Copy {
@@ -63,64 +65,33 @@ macro_rules! element {
     };
 }
 
-/// (max f - 1)/2 rounded to the nearest integer: table 4.7 for signed types.
-fn signed(component: f32, max: f64) -> f64 {
-    ((f64::from(component) * max - 1.0) * 0.5 + 0.5).floor()
-}
-
-element!(u8, |c| f32::from(c) / 255.0, |f: f32| (f * 255.0 + 0.5) as u8, f64::from, |i: u32| i as u8);
-element!(i8, |c| (2.0 * f32::from(c) + 1.0) / 255.0, |f: f32| signed(f, 255.0) as i8, f64::from, |i: u32| (i & 0x7F)
-    as i8);
-element!(u16, |c| f32::from(c) / 65535.0, |f: f32| (f * 65535.0 + 0.5) as u16, f64::from, |i: u32| i as u16);
-element!(i16, |c| (2.0 * f32::from(c) + 1.0) / 65535.0, |f: f32| signed(f, 65535.0) as i16, f64::from, |i: u32| (i
-    & 0x7FFF)
-    as i16);
-element!(
-    u32,
-    |c| (f64::from(c) / 4_294_967_295.0) as f32,
-    |f: f32| (f64::from(f) * 4_294_967_295.0 + 0.5) as u32,
-    f64::from,
-    |i: u32| i
-);
-element!(
-    i32,
-    |c| ((2.0 * f64::from(c) + 1.0) / 4_294_967_295.0) as f32,
-    |f: f32| signed(f, 4_294_967_295.0) as i32,
-    f64::from,
-    |i: u32| (i & 0x7FFF_FFFF).cast_signed()
-);
+element!(u8, num::u8_to_f32, num::f32_to_u8, f64::from, |i: u32| i as u8);
+element!(i8, num::i8_to_f32, |f| num::f32_to_snorm(f, 8) as i8, f64::from, |i: u32| (i & 0x7F) as i8);
+element!(u16, num::u16_to_f32, num::f32_to_u16, f64::from, |i: u32| i as u16);
+element!(i16, num::i16_to_f32, |f| num::f32_to_snorm(f, 16) as i16, f64::from, |i: u32| (i & 0x7FFF) as i16);
+element!(u32, |c| num::unorm_to_f32(c, 32), |f| num::f32_to_unorm(f, 32), f64::from, |i: u32| i);
+element!(i32, |c| num::snorm_to_f32(c, 32), |f| num::f32_to_snorm(f, 32), f64::from, |i: u32| (i & 0x7FFF_FFFF) as i32);
 element!(f32, |c| c, |f| f, f64::from, |i: u32| i as f32);
-
-/// A float limited to [0, 1]; what is not a number is 0.
-#[inline]
-#[must_use]
-pub fn clamp01(v: f32) -> f32 {
-    if v > 0.0 { v.min(1.0) } else { 0.0 }
-}
 
 /// A colour as packed bytes R, G, B, A from low to high, each component clamped and rounded to nearest.
 #[inline]
 #[must_use]
 pub fn to_rgba8(color: [f32; 4]) -> u32 {
-    u32::from_le_bytes(color.map(|c| u8::from_component(clamp01(c))))
+    u32::from_le_bytes(color.map(num::f32_to_u8))
 }
 
 /// A packed colour as floats.
 #[inline]
 #[must_use]
 pub fn from_rgba8(texel: u32) -> [f32; 4] {
-    texel.to_le_bytes().map(|c| f32::from(c) / 255.0)
+    texel.to_le_bytes().map(num::u8_to_f32)
 }
 
-/// A component in [0, 1] rounded to what `bits` bits can hold; 0 and more than 16 bits leave it as it is.
+/// A component in [0, 1] rounded to what `bits` bits can hold; 0 bits leave it as it is.
 #[inline]
 #[must_use]
 pub fn quantise(v: f32, bits: u8) -> f32 {
-    if bits == 0 || bits > 16 {
-        return v;
-    }
-    let max = ((1u32 << bits) - 1) as f32;
-    (v * max + 0.5).floor() / max
+    if bits == 0 { v } else { num::unorm_to_f32(num::f32_to_unorm(v, bits.into()), bits.into()) }
 }
 
 #[cfg(test)]

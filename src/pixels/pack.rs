@@ -3,13 +3,14 @@
 //! The mirror of `unpack`, with the same short way for 8-bit colours that nothing changes. Bytes between the groups
 //! (alignment, skips, the rest of long rows) are never touched.
 
-use super::element::{Element, clamp01, from_rgba8};
+use super::element::{Element, from_rgba8};
 use super::format::{Format, Packing, PixelFormat, Type};
 use super::geometry::Geometry;
 use super::transfer::Transfer;
 use super::unpack::swap_red_blue;
 use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
 use crate::error::Outcome;
+use crate::num::{clamp01, f32_to_unorm};
 use crate::state::pixel::PixelStore;
 
 /// How many groups are converted at a time.
@@ -235,7 +236,7 @@ impl<'a> ClientTarget<'a> {
         for ((&depth, &stencil), group) in pairs.zip(self.groups(at).chunks_exact_mut(4)) {
             let mut depth = [depth];
             transfer.depths(&mut depth);
-            let bits = (f64::from(depth[0]) * 16_777_215.0 + 0.5) as u32;
+            let bits = f32_to_unorm(depth[0], 24);
             (bits << 8 | transfer.stencil(stencil.into()) & 0xFF).write(group, swap);
         }
     }
@@ -265,8 +266,7 @@ fn pack_packed(groups: &mut [u8], swap: bool, packing: &Packing, channels: &[usi
     for (to, from) in groups.chunks_exact_mut(packing.bytes).zip(colors) {
         let mut element = 0u32;
         for (i, &channel) in channels.iter().enumerate() {
-            let max = (1u32 << packing.bits[i & 3]) - 1;
-            element |= ((from[channel & 3] * max as f32 + 0.5) as u32) << packing.shifts[i & 3];
+            element |= f32_to_unorm(from[channel & 3], packing.bits[i & 3]) << packing.shifts[i & 3];
         }
         match packing.bytes {
             1 => (element as u8).write(to, swap),

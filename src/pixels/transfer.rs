@@ -3,7 +3,7 @@
 //! index maps (the framebuffer and textures hold colours only); stencil indices are shifted, offset and mapped; depths
 //! are scaled and biased. Each step is left out when the state makes it neutral.
 
-use super::element::clamp01;
+use crate::num::clamp01;
 use crate::state::pixel::{PixelMaps, PixelTransfer};
 
 /// The pixel transfer state that applies to one command.

@@ -3,12 +3,13 @@
 //! and the final clamp. A caller asks for a row as floats, as packed 8-bit colours, as depths or as stencil indices.
 //! Bytes that go to packed colours untouched take a short way that copies them.
 
-use super::element::{Element, clamp01, to_rgba8};
+use super::element::{Element, to_rgba8};
 use super::format::{Format, Kind, Packing, PixelFormat, Type};
 use super::geometry::Geometry;
 use super::transfer::Transfer;
 use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
 use crate::error::Outcome;
+use crate::num::{clamp01, unorm_to_f32};
 use crate::state::pixel::PixelStore;
 
 /// How many groups are converted at a time.
@@ -129,7 +130,7 @@ impl<'a> ClientImage<'a> {
             Type::Float => components::<f32>(groups, swap, out),
             Type::UnsignedInt248 => {
                 for (to, from) in out.iter_mut().zip(groups.chunks_exact(4)) {
-                    *to = (f64::from(u32::read(from, swap) >> 8) / 16_777_215.0) as f32;
+                    *to = unorm_to_f32(u32::read(from, swap) >> 8, 24);
                 }
             }
             Type::Bitmap | Type::Packed(_) => out.fill(0.0),
@@ -270,8 +271,8 @@ fn unpack_packed(groups: &[u8], swap: bool, packing: &Packing, channels: &[usize
             _ => u32::read(from, swap),
         };
         for (i, &channel) in channels.iter().enumerate() {
-            let max = (1u32 << packing.bits[i & 3]) - 1;
-            to[channel & 3] = (element >> packing.shifts[i & 3] & max) as f32 / max as f32;
+            let bits = packing.bits[i & 3];
+            to[channel & 3] = unorm_to_f32(element >> packing.shifts[i & 3] & ((1 << bits) - 1), bits);
         }
     }
 }

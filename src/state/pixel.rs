@@ -5,6 +5,7 @@
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_value};
 use crate::limits::MAX_PIXEL_MAP_TABLE;
+use crate::num::clamp01;
 
 /// Layout of pixels in client memory, in one direction (table 3.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -372,10 +373,6 @@ impl PixelMaps {
     pub fn size(&self, pname: GLenum) -> Option<usize> {
         PIXEL_MAPS.iter().position(|row| row.1 == pname).map(|slot| self.table(slot).len())
     }
-}
-
-fn clamp01(v: f32) -> f32 {
-    if v > 0.0 { v.min(1.0) } else { 0.0 }
 }
 
 /// The pixel group of the state (`GL_PIXEL_MODE_BIT`) but for the maps.

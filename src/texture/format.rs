@@ -5,6 +5,7 @@
 
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_value};
+use crate::pixels::element::quantise;
 
 /// The base internal formats: which components a texture has (table 3.15).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -168,6 +169,29 @@ impl InternalFormat {
                 name(value)
             ))
         })
+    }
+
+    /// The format that takes its place where blocks cannot be used: its base format.
+    #[must_use]
+    pub fn uncompressed(&'static self) -> &'static InternalFormat {
+        if self.s3tc.is_none() {
+            return self;
+        }
+        InternalFormat::find(self.base.name()).unwrap_or(self)
+    }
+
+    /// A colour (or a depth in R) rounded to the bits that the components keep here; 8-bit storage rounds by itself.
+    #[inline]
+    #[must_use]
+    pub fn round(&self, [r, g, b, a]: [f32; 4]) -> [f32; 4] {
+        match self.storage {
+            Storage::Rgba8 => [r, g, b, a],
+            Storage::Float => {
+                let c = self.color_bits;
+                [quantise(r, c), quantise(g, c), quantise(b, c), quantise(a, self.alpha_bits)]
+            }
+            Storage::Depth => [quantise(r, self.color_bits), g, b, a],
+        }
     }
 
     /// Whether TEXTURE_COMPRESSED reports true.

@@ -8,6 +8,7 @@ use super::format::{BaseFormat, InternalFormat, Storage};
 use super::pads::PadKey;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
+use crate::limits::MAX_IMAGE_TEXELS;
 
 /// How many dimensions of an image are padded: those that its target has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +71,22 @@ impl Texels {
         })
     }
 
+    /// A copy, or OUT_OF_MEMORY.
+    pub fn try_clone(&self) -> Outcome<Texels> {
+        fn copy<T: Copy>(from: &[T]) -> Outcome<Vec<T>> {
+            let mut to = Vec::new();
+            to.try_reserve_exact(from.len())
+                .map_err(|_| out_of_memory(format!("no memory to copy {} texels", from.len())))?;
+            to.extend_from_slice(from);
+            Ok(to)
+        }
+        Ok(match self {
+            Texels::Rgba8(t) => Texels::Rgba8(copy(t)?),
+            Texels::Float(t) => Texels::Float(copy(t)?),
+            Texels::Depth(t) => Texels::Depth(copy(t)?),
+        })
+    }
+
     /// How many texels there are, ring included.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -99,8 +116,10 @@ pub(crate) fn zeroed<T: Clone>(len: usize, value: T) -> Outcome<Vec<T>> {
 
 impl Image {
     /// An image of zeros. `size` is the interior: the width, height and depth of the command less twice the border in
-    /// each dimension that the target has, 1 in the others.
+    /// each dimension that the target has, 1 in the others. S3TC needs two dimensions and no border; elsewhere such a
+    /// format gives way to its base format, as the specification has it for compressed formats with restrictions.
     pub fn new(format: &'static InternalFormat, dimensions: Dimensions, size: [u32; 3], border: u32) -> Outcome<Image> {
+        let format = if dimensions != Dimensions::Two || border != 0 { format.uncompressed() } else { format };
         let [width, height, depth] = match dimensions {
             Dimensions::One => [size[0], 1, 1],
             Dimensions::Two => [size[0], size[1], 1],
@@ -114,6 +133,7 @@ impl Image {
         ]
         .into_iter()
         .try_fold(1u64, u64::checked_mul)
+        .filter(|&len| len <= MAX_IMAGE_TEXELS.saturating_mul(2))
         .and_then(|len| usize::try_from(len).ok())
         .ok_or_else(|| out_of_memory(format!("an image of {width}x{height}x{depth} texels is beyond memory")))?;
         Ok(Image {
@@ -183,6 +203,12 @@ impl Image {
     #[must_use]
     pub fn is_null(&self) -> bool {
         self.width == 0 || self.height == 0 || self.depth == 0
+    }
+
+    /// The texels that belong to the image: with its border, whatever the ring is filled for now.
+    #[must_use]
+    pub fn own_texels(&self) -> &Texels {
+        self.bordered.as_deref().unwrap_or(&self.texels)
     }
 
     /// Texel (i, j, k) as a sampler reads it; a depth gives (d, d, d, 1). Zero outside the ring.

@@ -3,5 +3,13 @@
 pub mod batch;
 pub mod format;
 pub mod image;
+pub mod mipmap;
 pub mod object;
 pub mod pads;
+pub mod readback;
+pub mod s3tc;
+mod s3tc_encode;
+pub mod upload;
+
+#[cfg(test)]
+mod image_tests;

@@ -2,8 +2,11 @@
 //! texels from -1 to N in each dimension. What stands at -1 and at N follows from the wrap mode alone, so it is copied
 //! there once, before a draw, and the filter itself knows nothing of wrapping.
 
-use super::image::Image;
+use super::image::{Dimensions, Image, Texels};
 use crate::enums::*;
+use crate::error::Outcome;
+use crate::num::clamp01;
+use crate::pixels::element::{from_rgba8, to_rgba8};
 
 /// What stands beyond the two ends of one dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,5 +68,114 @@ impl Image {
     #[must_use]
     pub fn pads_are(&self, key: &PadKey) -> bool {
         self.pads.as_ref() == Some(key)
+    }
+
+    /// Fills the ring for `key`, unless it is filled for it already. The border texels of an image with a border stay
+    /// where a wrap reads the border; where it does not, they are put aside and come back before the image is written.
+    pub fn fill_pads(&mut self, key: &PadKey) -> Outcome {
+        if self.pads_are(key) || self.is_null() {
+            return Ok(());
+        }
+        if self.border == 0 {
+            let color = self.border_texel(key.border_color());
+            let (layout, pads) = (Layout::of(self), key.pads);
+            match &mut self.texels {
+                Texels::Rgba8(t) => layout.fill(t, pads, Some(to_rgba8(color))),
+                Texels::Float(t) => layout.fill(t, pads, Some(color)),
+                Texels::Depth(t) => layout.fill(t, pads, Some(color[0])),
+            }
+        } else {
+            self.show_border();
+            let used = &key.pads[..self.dimensions as usize + 1];
+            if used.iter().any(|&pad| pad != Pad::Border) {
+                self.bordered = Some(Box::new(self.texels.try_clone()?));
+                let (layout, pads) = (Layout::of(self), key.pads);
+                match &mut self.texels {
+                    Texels::Rgba8(t) => layout.fill(t, pads, None),
+                    Texels::Float(t) => layout.fill(t, pads, None),
+                    Texels::Depth(t) => layout.fill(t, pads, None),
+                }
+            }
+        }
+        self.pads = Some(*key);
+        Ok(())
+    }
+
+    /// Puts the image's own border back into the ring. Whoever writes texels calls this first: it also forgets the pads.
+    pub(super) fn show_border(&mut self) {
+        if let Some(bordered) = self.bordered.take() {
+            self.texels = *bordered;
+        }
+        self.pads = None;
+    }
+
+    /// TEXTURE_BORDER_COLOR as a texel: clamped, the components of the base format taken and expanded (table 3.15),
+    /// rounded as the image's texels are. A depth is R.
+    #[must_use]
+    pub fn border_texel(&self, color: [f32; 4]) -> [f32; 4] {
+        let color = self.base.expand(self.format.round(color.map(clamp01)));
+        match self.texels {
+            Texels::Rgba8(_) => from_rgba8(to_rgba8(color)),
+            Texels::Float(_) => color,
+            Texels::Depth(_) => [color[0], color[0], color[0], 1.0],
+        }
+    }
+}
+
+/// Where rows and slices lie, for copying between them.
+#[derive(Clone, Copy)]
+struct Layout {
+    size: [usize; 3],
+    dimensions: Dimensions,
+}
+
+impl Layout {
+    fn of(image: &Image) -> Layout {
+        let size = [image.width as usize, image.height as usize, image.depth as usize];
+        Layout { size, dimensions: image.dimensions }
+    }
+
+    /// Fills the ring dimension by dimension: first the two ends of every row, then whole rows, then whole slices. A
+    /// corner thus gets what both dimensions ask for, and the border wins where either asks for it.
+    fn fill<T: Copy>(self, texels: &mut [T], pads: [Pad; 3], border: Option<T>) {
+        let row = self.size[0] + 2;
+        for texels in texels.chunks_exact_mut(row) {
+            ends(texels, 1, self.size[0], pads[0], border);
+        }
+        if self.dimensions == Dimensions::One {
+            return;
+        }
+        let slice = row * (self.size[1] + 2);
+        for texels in texels.chunks_exact_mut(slice) {
+            ends(texels, row, self.size[1], pads[1], border);
+        }
+        if self.dimensions == Dimensions::Three {
+            ends(texels, slice, self.size[2], pads[2], border);
+        }
+    }
+}
+
+/// Fills the first and the last of n + 2 items of `unit` texels each. Without a border colour the border stays as it is.
+fn ends<T: Copy>(texels: &mut [T], unit: usize, n: usize, pad: Pad, border: Option<T>) {
+    let last = n + 1;
+    let mut copy = |from: usize, to: usize| texels.copy_within(from * unit..(from + 1) * unit, to * unit);
+    match pad {
+        Pad::Repeat => {
+            copy(n, 0);
+            copy(1, last);
+        }
+        Pad::Edge => {
+            copy(1, 0);
+            copy(n, last);
+        }
+        Pad::MirrorBorder => copy(1, 0),
+        Pad::Border => {}
+    }
+    let Some(color) = border else { return };
+    if pad == Pad::Border {
+        texels[..unit].fill(color);
+    }
+    if matches!(pad, Pad::Border | Pad::MirrorBorder) {
+        texels[last * unit..].fill(color);
     }
 }
