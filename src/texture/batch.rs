@@ -17,33 +17,96 @@ pub struct TexBatch {
     /// All ones where the fragment is alive, 0 where it is not.
     pub mask: [u32; LANES],
     /// s/q, t/q, r/q of the unit at hand (cube maps: s, t, r up to a positive common factor). For REPEAT and
-    /// MIRRORED_REPEAT a whole (even) number may already have been taken off; always finite.
+    /// MIRRORED_REPEAT a whole (even) number may already have been taken off; always finite. A sampler may overwrite
+    /// them.
     pub coord: [Lanes; 3],
     /// d coord / dx in coordinate units per pixel; set only where the sampler asks for derivatives.
     pub ddx: [Lanes; 3],
     /// d coord / dy.
     pub ddy: [Lanes; 3],
-    /// Level of detail of each lane (clamped, biased), scratch of the samplers.
+    /// Level of detail of each lane, biased and clamped; set only where the sampler needs it.
     pub lambda: Lanes,
-    /// Filtered texels of each unit, RGBA in [0, 1] (floats of float formats unclamped).
+    /// Filtered texels of each unit, RGBA in [0, 1].
     pub texel: [[Lanes; 4]; MAX_TEXTURE_UNITS],
     /// Primary colour of the fragment, RGBA.
     pub primary: [Lanes; 4],
-    /// The colour as it comes from the previous unit (at first the primary colour), RGBA; environments replace it.
+    /// The colour as it comes from the previous unit, RGBA; environments replace it. What it holds before the first
+    /// environment does not matter: that one reads `primary`.
     pub previous: [Lanes; 4],
     /// Arguments of the combine functions: three RGBA colours.
     pub args: [[Lanes; 4]; 3],
-    /// Integer scratch of the samplers (texel offsets, levels).
-    pub index: [[u32; LANES]; 4],
-    /// Float scratch of the samplers (weights, second level).
-    pub scratch: [Lanes; 8],
+    /// What the stages of a sampler hand to each other.
+    pub(super) work: Work,
+}
+
+/// What the stages of a sampler hand to each other. Filters that blend two levels run their stages twice: arrays of two
+/// are indexed by the pass.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Work {
+    /// For each coordinate the first of the two texels along it, -1..=N-1 (NEAREST: the texel, -1..=N).
+    pub first: [[i32; LANES]; 3],
+    /// For each coordinate the weight of the second texel.
+    pub weight: [Lanes; 3],
+    /// The image of a pass where all live lanes read the same one; `None` where it differs from lane to lane.
+    pub same: [Option<usize>; 2],
+    /// Whether the second pass has any weight in any live lane.
+    pub two_levels: bool,
+    /// Level of each lane, counted from the base level.
+    pub level: [[u32; LANES]; 2],
+    /// Cube map face of each lane.
+    pub face: [u32; LANES],
+    /// Weight of the second level.
+    pub fraction: Lanes,
+    /// All ones where the lane is to read the nearest texel although its neighbours filter.
+    pub nearest: [u32; LANES],
+    /// Filtered colour of each pass, in units of the texels (0 to 255 for 8-bit ones).
+    pub color: [[Lanes; 4]; 2],
+    /// How many taps of an anisotropic filter the batch needs, and which one is at work (from 1).
+    pub taps: u32,
+    /// The tap at work, from 1.
+    pub tap: u32,
+    /// Taps of each lane.
+    pub lane_taps: Lanes,
+    /// Distance between taps, in pixels.
+    pub tap_step: Lanes,
+    /// Coordinates of the fragment's centre, from which taps are counted.
+    pub center: [Lanes; 3],
+    /// Change of the coordinates along the longer axis of the pixel's footprint.
+    pub axis: [Lanes; 3],
+    /// Sums over the taps.
+    pub sum: [[Lanes; 4]; 2],
+}
+
+const Z: Lanes = [0.0; LANES];
+
+impl Work {
+    fn new() -> Self {
+        Self {
+            first: [[0; LANES]; 3],
+            weight: [Z; 3],
+            same: [Some(0); 2],
+            two_levels: false,
+            level: [[0; LANES]; 2],
+            face: [0; LANES],
+            fraction: Z,
+            nearest: [0; LANES],
+            color: [[Z; 4]; 2],
+            taps: 1,
+            tap: 1,
+            lane_taps: Z,
+            tap_step: Z,
+            center: [Z; 3],
+            axis: [Z; 3],
+            sum: [[Z; 4]; 2],
+        }
+    }
 }
 
 impl TexBatch {
     /// A batch with no lane in use.
     #[must_use]
     pub fn new() -> Self {
-        const Z: Lanes = [0.0; LANES];
         Self {
             n: 0,
             mask: [0; LANES],
@@ -55,8 +118,7 @@ impl TexBatch {
             primary: [Z; 4],
             previous: [Z; 4],
             args: [[Z; 4]; 3],
-            index: [[0; LANES]; 4],
-            scratch: [Z; 8],
+            work: Work::new(),
         }
     }
 }

@@ -1,15 +1,19 @@
 //! Texturing (OpenGL 1.5, section 3.8): the images of textures and what turns texture coordinates into colours.
 
+pub mod address;
 pub mod batch;
+pub mod filter;
 pub mod format;
 pub mod image;
+mod image_tests;
 pub mod mipmap;
 pub mod object;
 pub mod pads;
 pub mod readback;
 pub mod s3tc;
 mod s3tc_encode;
+pub mod sampler;
+pub mod uniforms;
 pub mod upload;
 
 #[cfg(test)]
-mod image_tests;

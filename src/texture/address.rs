@@ -1,0 +1,263 @@
+//! Wrapping (OpenGL 1.5, sections 3.8.7 and 3.8.8, table 3.19): from a texture coordinate to the texels around it.
+//!
+//! Every wrap mode comes down to a position x in texels, and x to an index and a weight. The ring around each image holds
+//! what a wrap mode puts beyond the ends, so an index from -1 to N is all that is asked for, whatever the coordinate was.
+//!
+//! ```text
+//!   REPEAT                  x = N r, r = s - nearest whole number; N is added to an index below 0
+//!   CLAMP, CLAMP_TO_EDGE    x = N s limited to 0..N            (the ring tells the two apart)
+//!   CLAMP_TO_BORDER         x = N s limited to -1/2..N+1/2
+//!   MIRRORED_REPEAT         x = N |s - nearest even number|
+//!   MIRROR_CLAMP[_TO_EDGE]  x = N |s| limited to 0..N
+//!   MIRROR_CLAMP_TO_BORDER  x = N |s| limited to 0..N+1/2
+//!   NEAREST                 i = floor(x), at most N-1 (to border: at most N)
+//!   LINEAR                  i = floor(x - 1/2), weight of texel i+1: x - 1/2 - i
+//! ```
+//!
+//! The range is reduced before the multiplication by N, so a coordinate of 10^6 loses no more than it had lost already.
+//! LINEAR rounds x - 1 instead of cutting x - 1/2: at a texel's centre the weight may be 1 of i-1 instead of 0 of i, which
+//! is the same colour.
+
+use super::batch::TexBatch;
+use super::uniforms::{TexFn, UnitUniforms};
+use crate::batch::{LANES, Stage, stage};
+use crate::enums::*;
+use crate::num::{clamp_f32, floor_to_int, max_f32, round_f32, round_to_int};
+
+/// In a stage's argument: which coordinate (0 to 2).
+pub const COORDINATE: u32 = 3;
+/// In a stage's argument: the second pass, of two levels.
+pub const SECOND: u32 = 4;
+/// In the argument of a NEAREST stage: only for lanes marked in `nearest`; the others keep what LINEAR found.
+pub const MERGE: u32 = 8;
+
+const WHOLE: f32 = 8_388_608.0;
+const SIGN: u32 = 0x8000_0000;
+
+/// |s| less the nearest whole number, -0.5..=0.5; 0 for what is no number.
+#[inline(always)]
+fn off_whole(s: f32) -> f32 {
+    let a = s.abs();
+    let r = a - ((a + WHOLE) - WHOLE);
+    if r.abs() <= 0.5 { r } else { 0.0 }
+}
+
+/// Texel position of REPEAT, -N/2..=N/2.
+#[inline(always)]
+fn repeat(s: f32, scale: f32, _n: f32) -> f32 {
+    f32::from_bits(off_whole(s).to_bits() ^ (s.to_bits() & SIGN)) * scale
+}
+
+/// Texel position of CLAMP and CLAMP_TO_EDGE.
+#[inline(always)]
+fn clamp(s: f32, scale: f32, n: f32) -> f32 {
+    clamp_f32(s * scale, 0.0, n)
+}
+
+/// Texel position of CLAMP_TO_BORDER.
+#[inline(always)]
+fn border(s: f32, scale: f32, n: f32) -> f32 {
+    clamp_f32(s * scale, -0.5, n + 0.5)
+}
+
+/// Texel position of MIRRORED_REPEAT.
+#[inline(always)]
+fn mirrored(s: f32, scale: f32, _n: f32) -> f32 {
+    (2.0 * off_whole(0.5 * s)).abs() * scale
+}
+
+/// Texel position of MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE.
+#[inline(always)]
+fn mirror_clamp(s: f32, scale: f32, n: f32) -> f32 {
+    clamp_f32(s.abs() * scale, 0.0, n)
+}
+
+/// Texel position of MIRROR_CLAMP_TO_BORDER.
+#[inline(always)]
+fn mirror_border(s: f32, scale: f32, n: f32) -> f32 {
+    clamp_f32(s.abs() * scale, 0.0, n + 0.5)
+}
+
+/// Index and weight of a linear filter. `END` says how an index beyond the range comes back.
+#[inline(always)]
+fn linear<const END: u8>(x: f32, n: f32) -> (i32, f32) {
+    if END == TO_BORDER {
+        let i = clamp_f32(round_f32(x - 1.0), -1.0, n - 1.0);
+        return (round_to_int(i), (x - 0.5) - i);
+    }
+    let i = round_to_int(x - 1.0);
+    let i = if END == AROUND { i + (i >> 31 & round_to_int(n)) } else { i };
+    (i, (x - 0.5) - round_f32(x - 1.0))
+}
+
+/// Index of the nearest texel.
+#[inline(always)]
+fn nearest<const END: u8>(x: f32, n: f32) -> i32 {
+    let i = floor_to_int(x);
+    match END {
+        AROUND => i + (i >> 31 & round_to_int(n)),
+        TO_BORDER => i,
+        _ => {
+            let last = round_to_int(n) - 1;
+            if i < last { i } else { last }
+        }
+    }
+}
+
+/// The index stops at the last texel.
+const TO_EDGE: u8 = 0;
+/// The index may be that of a border texel.
+const TO_BORDER: u8 = 1;
+/// A negative index comes in again at the other end.
+const AROUND: u8 = 2;
+
+/// Size of a level's dimension from that of the base level: halved `level` times, rounded down, at least 1.
+#[inline(always)]
+fn level_size(base: f32, level: u32) -> f32 {
+    let half = f32::from_bits(127u32.wrapping_sub(level) << 23);
+    max_f32(crate::num::floor_f32(base * half), 1.0)
+}
+
+/// Runs `f(s, scale, n)` over the lanes, with the size of the image that each lane reads.
+#[inline(always)]
+fn over_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, f: impl Fn(f32, f32, f32) -> (i32, f32), merge: bool) {
+    let c = (arg & COORDINATE).min(2) as usize;
+    let pass = usize::from(arg & SECOND != 0);
+    let TexBatch { coord, work, .. } = b;
+    if pass == 1 && !work.two_levels {
+        return;
+    }
+    let (s, level, marked) = (&coord[c], &work.level[pass], &work.nearest);
+    let (first, weight) = (&mut work.first[c], &mut work.weight[c]);
+    let mut put = |i: usize, (at, w): (i32, f32)| {
+        let keep = merge && marked[i] == 0;
+        first[i] = if keep { first[i] } else { at };
+        weight[i] = if keep { weight[i] } else { w };
+    };
+    if let Some(image) = work.same[pass] {
+        let n = u.images.get(image).map_or(1.0, |image| image.size[c]);
+        let scale = if u.unnormalised { 1.0 } else { n };
+        for i in 0..LANES {
+            put(i, f(s[i], scale, n));
+        }
+    } else {
+        let base = u.size[c];
+        for i in 0..LANES {
+            let n = level_size(base, level[i]);
+            put(i, f(s[i], n, n));
+        }
+    }
+}
+
+#[inline(always)]
+fn wrap_linear<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: impl Fn(f32, f32, f32) -> f32) {
+    over_lanes(b, u, arg, |s, scale, n| linear::<END>(x(s, scale, n), n), false);
+}
+
+#[inline(always)]
+fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: impl Fn(f32, f32, f32) -> f32) {
+    if arg & MERGE == 0 {
+        over_lanes(b, u, arg, |s, scale, n| (nearest::<END>(x(s, scale, n), n), 0.0), false);
+    } else {
+        // A filter reads texels i and i+1: N itself is texel i+1 of N-1.
+        let f = |s, scale, n| {
+            let i = nearest::<END>(x(s, scale, n), n);
+            let beyond = i >= round_to_int(n);
+            (i - i32::from(beyond), if beyond { 1.0 } else { 0.0 })
+        };
+        over_lanes(b, u, arg, f, true);
+    }
+}
+
+stage! {
+    /// REPEAT, two texels and their weight.
+    pub fn WRAP_REPEAT_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_linear::<AROUND>(b, u, arg, repeat);
+    }
+    /// CLAMP and CLAMP_TO_EDGE, two texels and their weight.
+    pub fn WRAP_CLAMP_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_linear::<TO_EDGE>(b, u, arg, clamp);
+    }
+    /// CLAMP_TO_BORDER, two texels and their weight.
+    pub fn WRAP_BORDER_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_linear::<TO_BORDER>(b, u, arg, border);
+    }
+    /// MIRRORED_REPEAT, two texels and their weight.
+    pub fn WRAP_MIRRORED_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_linear::<TO_EDGE>(b, u, arg, mirrored);
+    }
+    /// MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE, two texels and their weight.
+    pub fn WRAP_MIRROR_CLAMP_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_linear::<TO_EDGE>(b, u, arg, mirror_clamp);
+    }
+    /// MIRROR_CLAMP_TO_BORDER, two texels and their weight.
+    pub fn WRAP_MIRROR_BORDER_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_linear::<TO_BORDER>(b, u, arg, mirror_border);
+    }
+    /// REPEAT, the nearest texel.
+    pub fn WRAP_REPEAT_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_nearest::<AROUND>(b, u, arg, repeat);
+    }
+    /// CLAMP and CLAMP_TO_EDGE, the nearest texel.
+    pub fn WRAP_CLAMP_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_nearest::<TO_EDGE>(b, u, arg, clamp);
+    }
+    /// CLAMP_TO_BORDER, the nearest texel.
+    pub fn WRAP_BORDER_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_nearest::<TO_BORDER>(b, u, arg, border);
+    }
+    /// MIRRORED_REPEAT, the nearest texel.
+    pub fn WRAP_MIRRORED_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_nearest::<TO_EDGE>(b, u, arg, mirrored);
+    }
+    /// MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE, the nearest texel.
+    pub fn WRAP_MIRROR_CLAMP_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_nearest::<TO_EDGE>(b, u, arg, mirror_clamp);
+    }
+    /// MIRROR_CLAMP_TO_BORDER, the nearest texel.
+    pub fn WRAP_MIRROR_BORDER_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        wrap_nearest::<TO_BORDER>(b, u, arg, mirror_border);
+    }
+}
+
+/// The stages of a wrap mode: (LINEAR, NEAREST).
+#[must_use]
+pub fn stages(wrap: GLenum) -> (&'static Stage<TexFn>, &'static Stage<TexFn>) {
+    match wrap {
+        GL_CLAMP | GL_CLAMP_TO_EDGE => (&WRAP_CLAMP_LINEAR, &WRAP_CLAMP_NEAREST),
+        GL_CLAMP_TO_BORDER => (&WRAP_BORDER_LINEAR, &WRAP_BORDER_NEAREST),
+        GL_MIRRORED_REPEAT => (&WRAP_MIRRORED_LINEAR, &WRAP_MIRRORED_NEAREST),
+        GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_EDGE_EXT => (&WRAP_MIRROR_CLAMP_LINEAR, &WRAP_MIRROR_CLAMP_NEAREST),
+        GL_MIRROR_CLAMP_TO_BORDER_EXT => (&WRAP_MIRROR_BORDER_LINEAR, &WRAP_MIRROR_BORDER_NEAREST),
+        _ => (&WRAP_REPEAT_LINEAR, &WRAP_REPEAT_NEAREST),
+    }
+}
+
+/// The whole number that may be taken off a coordinate under this wrap mode: 1, 2, or 0 for none.
+#[must_use]
+pub fn period(wrap: GLenum) -> u8 {
+    match wrap {
+        GL_REPEAT => 1,
+        GL_MIRRORED_REPEAT => 2,
+        _ => 0,
+    }
+}
+
+/// Index and weight where both of a stage's results are of interest: for tests.
+#[cfg(test)]
+fn both(wrap: GLenum, s: f32, n: f32) -> ((i32, f32), i32) {
+    let x: fn(f32, f32, f32) -> f32 = match wrap {
+        GL_CLAMP | GL_CLAMP_TO_EDGE => clamp,
+        GL_CLAMP_TO_BORDER => border,
+        GL_MIRRORED_REPEAT => mirrored,
+        GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_EDGE_EXT => mirror_clamp,
+        GL_MIRROR_CLAMP_TO_BORDER_EXT => mirror_border,
+        _ => repeat,
+    };
+    let x = x(s, n, n);
+    match wrap {
+        GL_CLAMP_TO_BORDER | GL_MIRROR_CLAMP_TO_BORDER_EXT => (linear::<TO_BORDER>(x, n), nearest::<TO_BORDER>(x, n)),
+        GL_REPEAT => (linear::<AROUND>(x, n), nearest::<AROUND>(x, n)),
+        _ => (linear::<TO_EDGE>(x, n), nearest::<TO_EDGE>(x, n)),
+    }
+}

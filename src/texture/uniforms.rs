@@ -1,0 +1,138 @@
+//! The numbers that the stages of a sampler read (OpenGL 1.5, sections 3.8.8 to 3.8.9): the images from the base level to
+//! the last one that may be used, with their sizes as floats, and the level-of-detail parameters. Everything is worked out
+//! once a draw, so that a stage finds what it needs where it needs it.
+
+use super::batch::TexBatch;
+use super::image::Image;
+use super::object::TextureObject;
+use crate::enums::*;
+use crate::limits::{MAX_TEXTURE_LEVELS, MAX_TEXTURE_LOD_BIAS};
+use crate::num::{clamp_f32, max_f32, min_f32};
+use crate::state::texture::Target;
+use std::sync::Arc;
+
+/// A stage of a sampler.
+pub type TexFn = for<'a, 'b> unsafe fn(&'a mut TexBatch, &'b UnitUniforms, u32);
+
+/// An image as a sampler sees it.
+#[derive(Clone, Debug)]
+pub struct MipLevel {
+    /// The image, its ring filled for the wraps of the object.
+    pub image: Arc<Image>,
+    /// Width, height and depth.
+    pub size: [f32; 3],
+    /// Texels from one row to the next.
+    pub stride: u32,
+    /// Texels from one slice to the next.
+    pub slice: u32,
+    /// Index of texel (0, 0, 0).
+    pub origin: u32,
+}
+
+impl MipLevel {
+    fn new(image: &Arc<Image>) -> Self {
+        Self {
+            image: Arc::clone(image),
+            size: [image.width as f32, image.height as f32, image.depth as f32],
+            stride: image.row_stride() as u32,
+            slice: image.slice_stride() as u32,
+            origin: image.origin() as u32,
+        }
+    }
+}
+
+/// What the stages of one unit's sampler read.
+#[derive(Clone, Debug)]
+pub struct UnitUniforms {
+    /// The unit, which is where the texels go.
+    pub unit: usize,
+    /// The images: all levels of the first face from the base level on, then those of the next face.
+    pub images: Vec<MipLevel>,
+    /// How many levels a face has here: 1 where the filter uses no mipmaps.
+    pub levels: usize,
+    /// Size of the base level; lambda is measured in its texels.
+    pub size: [f32; 3],
+    /// Texels per unit of the coordinate at the base level: `size`, or 1 for rectangles.
+    pub scale: [f32; 3],
+    /// Whether coordinates count texels (rectangles).
+    pub unnormalised: bool,
+    /// LOD bias of the object and the unit, limited to MAX_TEXTURE_LOD_BIAS.
+    pub bias: f32,
+    /// Least level of detail.
+    pub min_lod: f32,
+    /// Greatest level of detail.
+    pub max_lod: f32,
+    /// The last level, counted from the base level.
+    pub last: f32,
+    /// Up to which level of detail the texture is magnified: 0 or 0.5.
+    pub magnify_below: f32,
+    /// Whether magnified fragments read the nearest texel and minified ones filter (else the other way round). Only
+    /// read where the two differ.
+    pub magnify_nearest: bool,
+    /// Greatest number of taps of the anisotropic filter.
+    pub max_taps: f32,
+    /// TEXTURE_COMPARE_FUNC.
+    pub compare_func: GLenum,
+}
+
+/// The whole part of the binary logarithm of the largest dimension: how many levels follow a base level of this size.
+#[must_use]
+pub fn levels_below(image: &Image) -> usize {
+    image.width.max(image.height).max(image.depth).max(1).ilog2() as usize
+}
+
+/// Whether a minification filter reads mipmaps.
+#[must_use]
+pub fn is_mipmap_filter(filter: GLenum) -> bool {
+    !matches!(filter, GL_NEAREST | GL_LINEAR)
+}
+
+/// The base level and the last level that a filter of `object` may read (p and q of section 3.8.8): TEXTURE_MAX_LEVEL,
+/// the level of size 1 or the last one that is there, whichever comes first.
+#[must_use]
+pub fn level_range(object: &TextureObject) -> (usize, usize) {
+    let p = &object.parameters;
+    let top = MAX_TEXTURE_LEVELS as i32 - 1;
+    let base = if object.target == Target::Rectangle { 0 } else { p.base_level.clamp(0, top) as usize };
+    let mipmapped = is_mipmap_filter(p.min_filter) && object.target != Target::Rectangle;
+    let Some(image) = object.image(0, base).filter(|_| mipmapped) else { return (base, base) };
+    let last = (base + levels_below(image)).min(p.max_level.clamp(0, top) as usize).max(base);
+    let there = |level: usize| (0..object.faces.len()).all(|face| object.image(face, level).is_some());
+    let last = (base..=last).take_while(|&level| there(level)).last().unwrap_or(base);
+    (base, last)
+}
+
+impl UnitUniforms {
+    /// The uniforms of a texture object with a unit's LOD bias.
+    #[must_use]
+    pub fn new(object: &TextureObject, unit_bias: f32, unit: usize) -> Self {
+        let p = &object.parameters;
+        let (base, last) = level_range(object);
+        let images: Vec<MipLevel> = (0..object.faces.len())
+            .flat_map(|face| (base..=last).filter_map(move |level| object.image(face, level)))
+            .map(MipLevel::new)
+            .collect();
+        let size = images.first().map_or([1.0; 3], |image| image.size);
+        let unnormalised = object.target == Target::Rectangle;
+        let magnify_below = match (p.mag_filter, p.min_filter) {
+            (GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST | GL_NEAREST_MIPMAP_LINEAR) => 0.5,
+            _ => 0.0,
+        };
+        Self {
+            unit,
+            images,
+            levels: last - base + 1,
+            size,
+            scale: if unnormalised { [1.0; 3] } else { size },
+            unnormalised,
+            bias: clamp_f32(p.lod_bias + unit_bias, -MAX_TEXTURE_LOD_BIAS, MAX_TEXTURE_LOD_BIAS),
+            min_lod: p.min_lod,
+            max_lod: p.max_lod,
+            last: (last - base) as f32,
+            magnify_below,
+            magnify_nearest: p.mag_filter == GL_NEAREST,
+            max_taps: max_f32(1.0, min_f32(p.max_anisotropy, crate::limits::MAX_TEXTURE_MAX_ANISOTROPY)).trunc(),
+            compare_func: p.compare_func,
+        }
+    }
+}
