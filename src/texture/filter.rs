@@ -56,7 +56,7 @@ fn texels(image: &MipLevel) -> &[u32] {
 
 /// Index of each lane's first texel, `origin` being that of texel (0, 0, 0).
 #[inline(always)]
-pub fn offsets<const DIMS: usize>(work: &Work, origin: u32, stride: u32, slice: u32) -> [u32; LANES] {
+pub(super) fn offsets<const DIMS: usize>(work: &Work, origin: u32, stride: u32, slice: u32) -> [u32; LANES] {
     let mut at = [0; LANES];
     for i in 0..LANES {
         let mut o = origin.wrapping_add_signed(work.first[0][i]);
@@ -73,13 +73,13 @@ pub fn offsets<const DIMS: usize>(work: &Work, origin: u32, stride: u32, slice: 
 
 /// The image that a lane reads in a pass where lanes differ.
 #[inline(always)]
-pub fn lane_image<'a>(u: &'a UnitUniforms, work: &Work, pass: usize, i: usize) -> Option<&'a MipLevel> {
+pub(super) fn lane_image<'a>(u: &'a UnitUniforms, work: &Work, pass: usize, i: usize) -> Option<&'a MipLevel> {
     u.images.get(work.face[i] as usize * u.levels + work.level[pass][i] as usize)
 }
 
 /// Index of a lane's first texel in its own image.
 #[inline(always)]
-pub fn lane_offset<const DIMS: usize>(work: &Work, image: &MipLevel, i: usize) -> usize {
+pub(super) fn lane_offset<const DIMS: usize>(work: &Work, image: &MipLevel, i: usize) -> usize {
     let mut o = image.origin.wrapping_add_signed(work.first[0][i]);
     if DIMS > 1 {
         o = o.wrapping_add((work.first[1][i] as u32).wrapping_mul(image.stride));

@@ -2,6 +2,8 @@
 
 pub mod address;
 pub mod batch;
+pub mod combine;
+pub mod env;
 pub mod filter;
 pub mod format;
 pub mod image;

@@ -1,0 +1,278 @@
+//! The COMBINE functions (OpenGL 1.5, section 3.8.13, tables 3.23 to 3.25): the one form that every texture environment
+//! is brought into, and the stages that run it. Colour and alpha are separate halves: each takes up to three arguments
+//! (a source seen through an operand), a function, a scale, and ends limited to [0, 1].
+//!
+//! The general way loads arguments into `args` and then runs a function. What occurs in nearly every scene has stages of
+//! its own that read their sources in place: they give the same bits, because with operand and scale 1 the general way
+//! does nothing else.
+
+use super::batch::{Lanes, TexBatch};
+use crate::batch::{LANES, stage};
+use crate::limits::MAX_TEXTURE_UNITS;
+use crate::num::{clamp01, min_f32};
+
+/// A stage of an environment plan.
+pub type EnvFn = for<'a, 'b> unsafe fn(&'a mut TexBatch, &'b EnvUniforms, u32);
+
+/// What environment stages read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct EnvUniforms {
+    /// TEXTURE_ENV_COLOR of each unit, limited to [0, 1].
+    pub colors: [[f32; 4]; MAX_TEXTURE_UNITS],
+}
+
+/// What an argument reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The texel of a unit.
+    Texture(usize),
+    /// The environment colour of a unit.
+    Constant(usize),
+    /// The colour of the fragment.
+    Primary,
+    /// The result of the unit before, or of none the primary colour.
+    Previous,
+}
+
+/// How an argument reads its source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operand {
+    /// The colour (SRC_COLOR), for the alpha half alpha.
+    Color = 0,
+    /// One minus the colour.
+    OneMinusColor = 1,
+    /// Alpha.
+    Alpha = 2,
+    /// One minus alpha.
+    OneMinusAlpha = 3,
+}
+
+/// An argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Argument {
+    /// What is read.
+    pub source: Source,
+    /// How.
+    pub operand: Operand,
+}
+
+/// The functions of COMBINE_RGB and COMBINE_ALPHA.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// a0
+    Replace,
+    /// a0 a1
+    Modulate,
+    /// a0 + a1
+    Add,
+    /// a0 + a1 - 1/2
+    AddSigned,
+    /// a0 a2 + a1 (1 - a2)
+    Interpolate,
+    /// a0 - a1
+    Subtract,
+    /// 4 times the dot product of a0 - 1/2 and a1 - 1/2, to R, G and B
+    Dot3Rgb,
+    /// The same, to alpha too
+    Dot3Rgba,
+}
+
+impl Function {
+    /// How many arguments it has.
+    #[must_use]
+    pub fn arity(self) -> usize {
+        match self {
+            Function::Replace => 1,
+            Function::Interpolate => 3,
+            _ => 2,
+        }
+    }
+}
+
+/// The colour or the alpha half of an environment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Half {
+    /// The function.
+    pub function: Function,
+    /// Its arguments; those beyond its arity mean nothing.
+    pub args: [Argument; 3],
+    /// 1, 2 or 4.
+    pub scale: f32,
+}
+
+/// An environment in COMBINE form.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Combine {
+    /// R, G and B.
+    pub rgb: Half,
+    /// Alpha.
+    pub alpha: Half,
+}
+
+/// The channels of the colour half, as bits.
+pub const RGB: u32 = 0b0111;
+/// The channel of the alpha half.
+pub const ALPHA: u32 = 0b1000;
+
+/// The argument of a stage: the channels in bits 0 to 3, the rest as each stage says.
+const CHANNELS: u32 = 15;
+
+/// Argument of the stages that read one source in place: channels, the source in bits 4 to 8 and, where they also read
+/// the colour so far, whether that is the primary colour in bit 9.
+#[must_use]
+pub fn direct(channels: u32, source: Source, from_primary: bool) -> u32 {
+    channels | source_code(source) << 4 | u32::from(from_primary) << 9
+}
+
+/// Argument of [`ENV_ARGUMENT`]: half, source, operand in bits 9 and 10, slot in bits 11 and 12.
+#[must_use]
+pub fn argument(channels: u32, slot: usize, argument: Argument) -> u32 {
+    channels | source_code(argument.source) << 4 | (argument.operand as u32) << 9 | (slot as u32) << 11
+}
+
+/// Argument of the functions: channels, and the scale of colour and alpha as powers of two in bits 4 and 6.
+#[must_use]
+pub fn function(channels: u32, rgb_scale: f32, alpha_scale: f32) -> u32 {
+    let power = |scale: f32| if scale >= 4.0 { 2 } else { u32::from(scale >= 2.0) };
+    channels | power(rgb_scale) << 4 | power(alpha_scale) << 6
+}
+
+fn source_code(source: Source) -> u32 {
+    match source {
+        Source::Texture(unit) => unit as u32 & 7,
+        Source::Constant(unit) => 8 | (unit as u32 & 7),
+        Source::Primary => 16,
+        Source::Previous => 17,
+    }
+}
+
+fn channels(arg: u32) -> impl Iterator<Item = usize> {
+    (0..4).filter(move |c| arg >> c & 1 != 0)
+}
+
+/// Writes `f(source, so far)` to the channels of `previous`.
+#[inline(always)]
+fn in_place(b: &mut TexBatch, u: &EnvUniforms, arg: u32, f: impl Fn(f32, f32) -> f32) {
+    let TexBatch { texel, primary, previous, .. } = b;
+    let code = arg >> 4 & 31;
+    for c in channels(arg & CHANNELS) {
+        let constant: Lanes;
+        let source = match code {
+            0..8 => &texel[code as usize & 7][c],
+            16 => &primary[c],
+            _ => {
+                constant = [u.colors[code as usize & 7][c]; LANES];
+                &constant
+            }
+        };
+        let out = &mut previous[c];
+        if arg >> 9 & 1 != 0 {
+            for i in 0..LANES {
+                out[i] = f(source[i], primary[c][i]);
+            }
+        } else {
+            for i in 0..LANES {
+                out[i] = f(source[i], out[i]);
+            }
+        }
+    }
+}
+
+/// The scale of a channel.
+#[inline(always)]
+fn scale(arg: u32, c: usize) -> f32 {
+    let power = if c < 3 { arg >> 4 & 3 } else { arg >> 6 & 3 };
+    [1.0, 2.0, 4.0, 4.0][power as usize]
+}
+
+/// Writes `f(a0, a1, a2)`, scaled and limited, to the channels of `previous`.
+#[inline(always)]
+fn per_channel(b: &mut TexBatch, arg: u32, f: impl Fn(f32, f32, f32) -> f32) {
+    let TexBatch { previous, args: [a0, a1, a2], .. } = b;
+    for c in channels(arg & CHANNELS) {
+        let k = scale(arg, c);
+        let (out, a0, a1, a2) = (&mut previous[c], &a0[c], &a1[c], &a2[c]);
+        for i in 0..LANES {
+            out[i] = clamp01(f(a0[i], a1[i], a2[i]) * k);
+        }
+    }
+}
+
+stage! {
+    /// The source replaces the colour.
+    pub fn ENV_REPLACE: EnvFn = (b: &mut TexBatch, u: &EnvUniforms, arg: u32) {
+        in_place(b, u, arg & !(1 << 9), |source, _| source);
+    }
+    /// The source times the colour so far.
+    pub fn ENV_MODULATE: EnvFn = (b: &mut TexBatch, u: &EnvUniforms, arg: u32) {
+        in_place(b, u, arg, |source, so_far| source * so_far);
+    }
+    /// The source plus the colour so far.
+    pub fn ENV_ADD: EnvFn = (b: &mut TexBatch, u: &EnvUniforms, arg: u32) {
+        in_place(b, u, arg, |source, so_far| min_f32(source + so_far, 1.0));
+    }
+    /// Loads an argument: a source seen through an operand.
+    pub fn ENV_ARGUMENT: EnvFn = (b: &mut TexBatch, u: &EnvUniforms, arg: u32) {
+        let TexBatch { texel, primary, previous, args, .. } = b;
+        let code = arg >> 4 & 31;
+        let constant: [Lanes; 4];
+        let source = match code {
+            0..8 => &texel[code as usize & 7],
+            16 => &*primary,
+            17 => &*previous,
+            _ => {
+                constant = u.colors[code as usize & 7].map(|c| [c; LANES]);
+                &constant
+            }
+        };
+        let out = &mut args[(arg >> 11 & 3).min(2) as usize];
+        for c in channels(arg & CHANNELS) {
+            let source = &source[if arg >> 10 & 1 != 0 { 3 } else { c }];
+            if arg >> 9 & 1 == 0 {
+                out[c] = *source;
+            } else {
+                for i in 0..LANES {
+                    out[c][i] = 1.0 - source[i];
+                }
+            }
+        }
+    }
+    /// COMBINE with REPLACE.
+    pub fn COMBINE_REPLACE: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        per_channel(b, arg, |a0, _, _| a0);
+    }
+    /// COMBINE with MODULATE.
+    pub fn COMBINE_MODULATE: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        per_channel(b, arg, |a0, a1, _| a0 * a1);
+    }
+    /// COMBINE with ADD.
+    pub fn COMBINE_ADD: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        per_channel(b, arg, |a0, a1, _| a0 + a1);
+    }
+    /// COMBINE with ADD_SIGNED.
+    pub fn COMBINE_ADD_SIGNED: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        per_channel(b, arg, |a0, a1, _| a0 + a1 - 0.5);
+    }
+    /// COMBINE with INTERPOLATE.
+    pub fn COMBINE_INTERPOLATE: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        per_channel(b, arg, |a0, a1, a2| a0 * a2 + a1 * (1.0 - a2));
+    }
+    /// COMBINE with SUBTRACT.
+    pub fn COMBINE_SUBTRACT: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        per_channel(b, arg, |a0, a1, _| a0 - a1);
+    }
+    /// COMBINE with DOT3_RGB or DOT3_RGBA, by the channels of the argument.
+    pub fn COMBINE_DOT3: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        let TexBatch { previous, args: [x, y, dot], .. } = b;
+        for i in 0..LANES {
+            let term = |c: usize| (x[c][i] - 0.5) * (y[c][i] - 0.5);
+            dot[0][i] = 4.0 * (term(0) + term(1) + term(2));
+        }
+        for c in channels(arg & CHANNELS) {
+            let k = scale(arg, c);
+            for i in 0..LANES {
+                previous[c][i] = clamp01(dot[0][i] * k);
+            }
+        }
+    }
+}
