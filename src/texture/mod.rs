@@ -7,6 +7,7 @@ pub mod env;
 pub mod filter;
 pub mod format;
 pub mod image;
+#[cfg(test)]
 mod image_tests;
 pub mod mipmap;
 pub mod object;
@@ -17,5 +18,3 @@ mod s3tc_encode;
 pub mod sampler;
 pub mod uniforms;
 pub mod upload;
-
-#[cfg(test)]

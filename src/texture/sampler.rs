@@ -52,7 +52,7 @@ pub fn prepare(object: &mut TextureObject) -> Outcome {
     for face in &mut object.faces {
         for image in face.iter_mut().skip(base).take(last - base + 1).flatten() {
             if !image.pads_are(&key) {
-                let _ = Arc::make_mut(image); // the ring is filled here as soon as images can do that
+                Arc::make_mut(image).fill_pads(&key)?;
             }
         }
     }
