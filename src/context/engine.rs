@@ -1,13 +1,84 @@
-//! The engine: everything that GL does, without the doors. This is the place holder with the few questions that the
-//! doors ask it; the commands come with the chapters.
+//! The engine: everything that GL does, without the doors (OpenGL 1.5, figure 2.1). It owns the state, the objects, the
+//! framebuffer and the two ends of the pipeline. Its commands are spread over the files of this room, a chapter a file;
+//! this file only says what there is.
+
+use super::attrib::SavedAttributes;
+use super::config::Config;
+use super::tex_image::{Proxies, Proxy};
+use super::textures::Textures;
+use crate::enums::GL_FRONT;
+use crate::framebuffer::Framebuffer;
+use crate::limits::MAX_TEXTURE_LEVELS;
+use crate::state::pixel::PixelStores;
+use crate::state::{Dirty, State};
+
+/// Client state: what `glPushClientAttrib` keeps (section 6.1.14).
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Client {
+    pub(crate) pixel_store: PixelStores,
+    pub(crate) arrays: (),
+}
 
 /// The state machine and the pipeline.
-#[derive(Debug, Default)]
-pub(crate) struct Engine {}
+#[derive(Debug)]
+pub(crate) struct Engine {
+    /// Server state, group by group.
+    pub(crate) state: State,
+    /// What has changed since plans were built.
+    pub(crate) dirty: Dirty,
+    /// How the engine runs.
+    pub(crate) config: Config,
+    /// Client state.
+    pub(crate) client: Client,
+    /// The attribute stack.
+    pub(crate) attributes: Vec<SavedAttributes>,
+    /// The client attribute stack: what was saved, and which of it counts.
+    pub(crate) client_attributes: Vec<(u32, Client)>,
+    /// Texture objects.
+    pub(crate) textures: Textures,
+    /// What the proxy targets answer.
+    pub(crate) proxies: Box<Proxies>,
+    /// The buffers that are drawn into.
+    pub(crate) framebuffer: Framebuffer,
+}
 
 impl Engine {
-    /// An engine with a framebuffer of a size.
-    pub(crate) fn new(_width: u32, _height: u32) -> Self {
-        Self {}
+    /// An engine in the initial state with a framebuffer of a size. Where there is no memory for such a framebuffer it
+    /// has no pixels, and a note says so.
+    pub(crate) fn new(width: u32, height: u32, config: Config) -> Self {
+        let config = config.checked();
+        let framebuffer = Framebuffer::new(width, height, config.format)
+            .or_else(|_| Framebuffer::new(0, 0, config.format))
+            .unwrap_or_else(|_| Framebuffer::empty(config.format));
+        Self::with_framebuffer(framebuffer, config)
+    }
+
+    /// An engine in the initial state that draws into a framebuffer.
+    pub(crate) fn with_framebuffer(framebuffer: Framebuffer, config: Config) -> Self {
+        let mut state = State::default();
+        state.color_buffer.draw_buffer = GL_FRONT;
+        let mut engine = Self {
+            state,
+            dirty: Dirty::ALL,
+            config,
+            client: Client::default(),
+            attributes: Vec::new(),
+            client_attributes: Vec::new(),
+            textures: Textures::default(),
+            proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),
+            framebuffer,
+        };
+        engine.window_sized();
+        engine
+    }
+
+    /// The viewport and the scissor box become those of the framebuffer, as when a context meets its first window.
+    pub(crate) fn window_sized(&mut self) {
+        let (width, height) = (self.framebuffer.width().cast_signed(), self.framebuffer.height().cast_signed());
+        let viewport = &mut self.state.viewport;
+        (viewport.x, viewport.y, viewport.width, viewport.height) = (0, 0, width, height);
+        let scissor = &mut self.state.scissor;
+        (scissor.x, scissor.y, scissor.width, scissor.height) = (0, 0, width, height);
+        self.dirty = Dirty::ALL;
     }
 }

@@ -3,21 +3,40 @@
 //! from the one table in [`table`], where each command is a row; the methods of the engine do the work.
 
 pub(crate) mod args;
+pub(crate) mod attrib;
+pub(crate) mod config;
 pub(crate) mod convert;
 pub(crate) mod counts;
+pub(crate) mod enable;
 pub(crate) mod engine;
 pub(crate) mod errors;
+pub(crate) mod flush;
+pub(crate) mod fragment_state;
+pub(crate) mod get;
+pub(crate) mod get_limits;
+pub(crate) mod get_params;
 pub(crate) mod hooks;
+pub(crate) mod lighting_state;
 pub(crate) mod lists;
+pub(crate) mod matrices;
 pub(crate) mod own;
 pub(crate) mod params;
+pub(crate) mod pending;
+pub(crate) mod pixel_state;
 pub(crate) mod pixels_arg;
+pub(crate) mod raster_state;
 pub(crate) mod recorder;
 pub mod table;
+pub(crate) mod tex_image;
+pub(crate) mod tex_query;
+pub(crate) mod tex_sub_image;
+pub(crate) mod tex_unit;
+pub(crate) mod textures;
 pub(crate) mod trace;
 pub(crate) mod values;
 
 pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, OutSlice};
+pub use config::Config;
 pub use errors::{
     DEBUG_SEVERITY_HIGH, DEBUG_SEVERITY_MEDIUM, DEBUG_SOURCE_API, DEBUG_TYPE_ERROR, DEBUG_TYPE_OTHER, DebugCallback,
     DebugMessage, Error,
@@ -73,7 +92,13 @@ impl Context {
     /// A context in GL's initial state with a framebuffer of a size.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
-        Self::from_engine(Engine::new(width, height))
+        Self::with_config(width, height, Config::from_env())
+    }
+
+    /// The same, run as a [`Config`] says.
+    #[must_use]
+    pub fn with_config(width: u32, height: u32, config: Config) -> Self {
+        Self::from_engine(Engine::new(width, height, config))
     }
 
     /// A context around an engine.

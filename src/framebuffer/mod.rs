@@ -125,6 +125,23 @@ fn pixel_count(width: u32, height: u32, stride: u32) -> Outcome<usize> {
 }
 
 impl Framebuffer {
+    /// A framebuffer without pixels.
+    #[must_use]
+    pub fn empty(format: FramebufferFormat) -> Self {
+        let color = if format.float { ColorStore::Float(Vec::new()) } else { ColorStore::Owned(Vec::new()) };
+        Self {
+            width: 0,
+            height: 0,
+            stride: 0,
+            flipped: false,
+            format,
+            color,
+            depth: Vec::new(),
+            stencil: Vec::new(),
+            accum: Vec::new(),
+        }
+    }
+
     /// A framebuffer in memory of the library: colours and stencil 0, depth 1.
     pub fn new(width: u32, height: u32, format: FramebufferFormat) -> Outcome<Self> {
         let len = pixel_count(width, height, width)?;

@@ -152,6 +152,18 @@ impl Image {
         })
     }
 
+    /// A copy, or OUT_OF_MEMORY.
+    pub fn try_clone(&self) -> Outcome<Image> {
+        let bordered = self.bordered.as_ref().map(|texels| texels.try_clone().map(Box::new)).transpose()?;
+        Ok(Image {
+            texels: self.texels.try_clone()?,
+            compressed: self.compressed.clone(),
+            bordered,
+            pads: self.pads,
+            ..*self
+        })
+    }
+
     /// Texels from one row to the next.
     #[inline]
     #[must_use]

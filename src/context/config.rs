@@ -1,0 +1,58 @@
+//! How a context runs: which instruction set, how many threads, which buffers. Nothing here changes a bit of a picture
+//! (apart from the buffers themselves); that is what the invariance tests check.
+
+use crate::batch::{LANES, Level};
+use crate::framebuffer::FramebufferFormat;
+
+/// How a context runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Config {
+    /// The instruction set of the stages. A level that the processor lacks is lowered to one that it has.
+    pub level: Level,
+    /// How many threads draw; 1 draws in the calling thread.
+    pub threads: usize,
+    /// How many fragments a batch holds at most, 1 to 64. Smaller batches are slower and give the same picture.
+    pub batch_cut: usize,
+    /// Runs every stage even where the state makes it a no-op. Slower, the same picture.
+    pub general_plan: bool,
+    /// The buffers of the framebuffer.
+    pub format: FramebufferFormat,
+}
+
+impl Default for Config {
+    /// The highest level and all processors.
+    fn default() -> Self {
+        let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        Self {
+            level: Level::detect(),
+            threads,
+            batch_cut: LANES,
+            general_plan: false,
+            format: FramebufferFormat::default(),
+        }
+    }
+}
+
+impl Config {
+    /// The default with what the environment says: `FIXEDGL_THREADS` is a number of threads, `FIXEDGL_SIMD` is
+    /// `baseline`, `avx2` or `avx512`. What cannot be read is ignored.
+    #[must_use]
+    pub fn from_env() -> Self {
+        let value = |name: &str| std::env::var(name).ok();
+        let default = Self::default();
+        let threads = value("FIXEDGL_THREADS").and_then(|v| v.trim().parse().ok()).unwrap_or(default.threads);
+        let level = value("FIXEDGL_SIMD").and_then(|v| Level::from_name(v.trim())).unwrap_or(default.level);
+        Self { level, threads, ..default }.checked()
+    }
+
+    /// The same with every number in its range.
+    #[must_use]
+    pub(crate) fn checked(self) -> Self {
+        Self {
+            level: self.level.at_most_available(),
+            threads: self.threads.clamp(1, 256),
+            batch_cut: self.batch_cut.clamp(1, LANES),
+            ..self
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! The end of the pipeline (OpenGL 1.5, sections 4.2.3, 4.3.2 and 5.5): Flush and Finish let what was issued reach the
+//! framebuffer, Clear fills it, ReadPixels packs rows of it. Drawing is deferred, so everything that looks at the
+//! framebuffer flushes first.
+
+use super::Values;
+use super::engine::Engine;
+use crate::enums::*;
+use crate::error::{Outcome, invalid_operation, invalid_value};
+use crate::framebuffer::{Clear, Rect};
+use crate::pixels::{ClientTarget, Kind, PixelFormat, Purpose};
+
+impl Engine {
+    pub(crate) fn flush(&mut self) {
+        self.flush_scene();
+    }
+
+    pub(crate) fn finish(&mut self) {
+        self.flush_scene();
+    }
+
+    /// Carries out everything that was drawn so far.
+    pub(crate) fn flush_scene(&mut self) {}
+
+    pub(crate) fn clear(&mut self, mask: u32) -> Outcome {
+        let all = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
+        if mask & !all != 0 {
+            return Err(invalid_value(format!(
+                "0x{:X} in the mask of glClear; it takes GL_COLOR_, GL_DEPTH_, GL_STENCIL_ and GL_ACCUM_BUFFER_BIT",
+                mask & !all
+            )));
+        }
+        self.flush_scene();
+        let s = &self.state;
+        let has = |bit: u32| mask & bit != 0;
+        let color = has(GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != GL_NONE;
+        let clear = Clear {
+            color: color.then_some((s.color_buffer.clear_color, s.color_buffer.color_mask)),
+            depth: (has(GL_DEPTH_BUFFER_BIT) && s.depth.mask).then_some(s.depth.clear),
+            stencil: has(GL_STENCIL_BUFFER_BIT).then_some((s.stencil.clear as u8, s.stencil.write_mask as u8)),
+            accum: has(GL_ACCUM_BUFFER_BIT).then_some(s.accum.clear),
+        };
+        let scissor = self.scissor_rect();
+        self.framebuffer.clear(&clear, scissor)
+    }
+
+    /// The scissor box where the scissor test is on.
+    fn scissor_rect(&self) -> Option<Rect> {
+        let s = &self.state.scissor;
+        s.enabled.then(|| self.framebuffer.rect(s.x, s.y, s.width, s.height))
+    }
+
+    pub(crate) fn read_pixels(
+        &mut self,
+        x: i32,
+        y: i32,
+        width: i32,
+        height: i32,
+        format: GLenum,
+        type_: GLenum,
+        pixels: &mut [u8],
+    ) -> Outcome {
+        if width < 0 || height < 0 {
+            return Err(invalid_value(format!("an area of {width} by {height} pixels; neither may be negative")));
+        }
+        let pixel = PixelFormat::for_command(format, type_, Purpose::ReadPixels)?;
+        self.check_readable(pixel.kind())?;
+        self.flush_scene();
+        let transfer = crate::pixels::Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
+        let mut target = ClientTarget::new_2d(pixels, &self.client.pixel_store.pack, [width, height], pixel)?;
+        // Pixels outside the framebuffer are undefined: the memory that stands for them stays as it was.
+        let (first, last) = (x.max(0), x.saturating_add(width).min(self.framebuffer.width() as i32));
+        if first >= last {
+            return Ok(());
+        }
+        let (left, count) = ((i64::from(first) - i64::from(x)) as usize, (last - first) as usize);
+        let (mut depths, mut stencils) = (vec![0.0; count], vec![0; count]);
+        let (mut floats, mut texels) = (vec![[0.0; 4]; count], vec![0; count]);
+        let rows = y.max(0)..y.saturating_add(height).min(self.framebuffer.height() as i32);
+        for row in rows {
+            let at = [left, (i64::from(row) - i64::from(y)) as usize, 0];
+            match pixel.kind() {
+                Kind::Depth => {
+                    self.framebuffer.read_depth(first, row, &mut depths);
+                    target.depths(at, transfer, &to_f32(&depths));
+                }
+                Kind::Stencil => {
+                    self.framebuffer.read_stencil(first, row, &mut stencils);
+                    target.stencils(at, transfer, &to_u32(&stencils));
+                }
+                Kind::DepthStencil => {
+                    self.framebuffer.read_depth(first, row, &mut depths);
+                    self.framebuffer.read_stencil(first, row, &mut stencils);
+                    target.depth_stencils(at, transfer, &to_f32(&depths), &to_u32(&stencils));
+                }
+                _ if self.framebuffer.format().float => {
+                    self.framebuffer.read_float(first, row, &mut floats);
+                    target.colors(at, transfer, &floats);
+                }
+                _ => {
+                    self.framebuffer.read_rgba8(first, row, &mut texels);
+                    target.colors_rgba8(at, transfer, &texels);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_readable(&self, kind: Kind) -> Outcome {
+        let bits = self.framebuffer.format();
+        let missing = match kind {
+            Kind::Depth if bits.depth_bits == 0 => "depth",
+            Kind::Stencil if bits.stencil_bits == 0 => "stencil",
+            Kind::DepthStencil if bits.depth_bits == 0 || bits.stencil_bits == 0 => "depth and stencil",
+            Kind::Index => {
+                return Err(invalid_operation("the framebuffer holds colours, not colour indices; read GL_RGBA"));
+            }
+            _ => return Ok(()),
+        };
+        Err(invalid_operation(format!("there is no {missing} buffer to read from")))
+    }
+
+    /// Sizes of the buffers, for Get.
+    pub(crate) fn framebuffer_value(&self, pname: GLenum) -> Option<Values> {
+        let f = self.framebuffer.format();
+        let bits = |n: u8| Values::int(i32::from(n));
+        Some(match pname {
+            GL_RED_BITS => bits(f.color_bits[0]),
+            GL_GREEN_BITS => bits(f.color_bits[1]),
+            GL_BLUE_BITS => bits(f.color_bits[2]),
+            GL_ALPHA_BITS => bits(f.color_bits[3]),
+            GL_DEPTH_BITS => bits(f.depth_bits),
+            GL_STENCIL_BITS => bits(f.stencil_bits),
+            GL_ACCUM_RED_BITS | GL_ACCUM_GREEN_BITS | GL_ACCUM_BLUE_BITS | GL_ACCUM_ALPHA_BITS => bits(f.accum_bits),
+            _ => return None,
+        })
+    }
+}
+
+fn to_f32(values: &[f64]) -> Vec<f32> {
+    values.iter().map(|v| *v as f32).collect()
+}
+
+fn to_u32(values: &[u8]) -> Vec<u32> {
+    values.iter().map(|v| u32::from(*v)).collect()
+}

@@ -1,0 +1,94 @@
+//! Commands of pixel storage and transfer (OpenGL 1.5, sections 3.6.1 to 3.6.3), the polygon stipple, and what the doors
+//! ask about the size of images in client memory.
+
+use super::engine::Engine;
+use super::{Params, Pixels, Values};
+use crate::enums::*;
+use crate::error::{Outcome, invalid_value};
+use crate::pixels::{self, ClientImage, ClientTarget, PixelFormat, Transfer};
+use crate::state::pixel::PixelStore;
+
+impl Engine {
+    pub(crate) fn pixel_storei(&mut self, pname: GLenum, param: i32) -> Outcome {
+        self.client.pixel_store.set(pname, param)
+    }
+
+    pub(crate) fn pixel_storef(&mut self, pname: GLenum, param: f32) -> Outcome {
+        self.client.pixel_store.set_f32(pname, param)
+    }
+
+    pub(crate) fn pixel_transfer(&mut self, pname: GLenum, params: &Params) -> Outcome {
+        let transfer = &mut self.state.pixel.transfer;
+        if params.is_int() { transfer.set_i32(pname, params.integer(0)) } else { transfer.set(pname, params.scalar()) }
+    }
+
+    pub(crate) fn pixel_map(&mut self, map: GLenum, values: &[f32]) -> Outcome {
+        self.state.pixel_maps.set(map, values)
+    }
+
+    pub(crate) fn get_pixel_map(&mut self, map: GLenum) -> Outcome<Values> {
+        let values = self.state.pixel_maps.get(map)?;
+        let index = matches!(map, GL_PIXEL_MAP_I_TO_I | GL_PIXEL_MAP_S_TO_S);
+        Ok(if index { Values::floats(values) } else { Values::unit(values) })
+    }
+
+    pub(crate) fn pixel_zoom(&mut self, x: f32, y: f32) {
+        self.state.pixel.zoom = [x, y];
+    }
+
+    /// Pixel transfer values and map sizes, for Get.
+    pub(crate) fn pixel_value(&self, pname: GLenum) -> Option<Values> {
+        if let Some(size) = self.state.pixel_maps.size(pname) {
+            return Some(Values::int(size as i32));
+        }
+        let value = self.state.pixel.transfer.get(pname)?;
+        Some(match pname {
+            GL_MAP_COLOR | GL_MAP_STENCIL => Values::boolean(value != 0.0),
+            GL_INDEX_SHIFT | GL_INDEX_OFFSET => Values::int(value as i32),
+            _ => Values::doubles(&[value]),
+        })
+    }
+
+    pub(crate) fn polygon_stipple(&mut self, mask: &Pixels<'_>) -> Outcome {
+        let Some(bytes) = mask.bytes() else {
+            return Err(invalid_value("a polygon stipple needs a pattern of 32 by 32 bits"));
+        };
+        let pixel = PixelFormat::new(GL_COLOR_INDEX, GL_BITMAP)?;
+        let image = ClientImage::new_2d(bytes, &self.client.pixel_store.unpack, [32, 32], pixel)?;
+        let row = |y: usize| (0..32).fold(0, |row, x| (row << 1) | u32::from(image.bit([x, y, 0])));
+        self.set_polygon_stipple(std::array::from_fn(row));
+        Ok(())
+    }
+
+    pub(crate) fn get_polygon_stipple(&mut self, mask: &mut [u8]) -> Outcome {
+        let pixel = PixelFormat::new(GL_COLOR_INDEX, GL_BITMAP)?;
+        let mut target = ClientTarget::new_2d(mask, &self.client.pixel_store.pack, [32, 32], pixel)?;
+        for (y, row) in self.state.polygon_stipple.0.iter().enumerate() {
+            let bits: [u32; 32] = std::array::from_fn(|x| (row >> (31 - x)) & 1);
+            target.raw_indices([0, y, 0], &bits);
+        }
+        Ok(())
+    }
+
+    pub(crate) fn unpack_bytes(&mut self, w: i32, h: i32, d: i32, format: GLenum, type_: GLenum) -> usize {
+        bytes(&self.client.pixel_store.unpack, [w, h, d], format, type_)
+    }
+
+    pub(crate) fn pack_bytes(&mut self, w: i32, h: i32, d: i32, format: GLenum, type_: GLenum) -> usize {
+        bytes(&self.client.pixel_store.pack, [w, h, d], format, type_)
+    }
+
+    /// The transfer state for colours, depths and indices on their way.
+    pub(crate) fn transfer(&self) -> Transfer<'_> {
+        Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps }
+    }
+}
+
+fn bytes(store: &PixelStore, [w, h, d]: [i32; 3], format: GLenum, type_: GLenum) -> usize {
+    let size = if d == 1 {
+        pixels::image_bytes_2d(store, w, h, format, type_)
+    } else {
+        pixels::image_bytes(store, w, h, d, format, type_)
+    };
+    size.unwrap_or(0)
+}

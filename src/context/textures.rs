@@ -1,0 +1,319 @@
+//! Texture objects by name (OpenGL 1.5, sections 3.8.4, 3.8.11 and 3.8.12): generating, binding and deleting names, and
+//! the parameters of the bound object. Name 0 of a target is an object like any other, kept beside the named ones.
+
+use super::enable::texture_target;
+use super::engine::Engine;
+use super::{Params, Values};
+use crate::enums::*;
+use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::state::Dirty;
+use crate::state::texture::{Target, TexParameters};
+use crate::texture::object::TextureObject;
+use std::collections::HashMap;
+
+/// All texture objects of a context.
+#[derive(Debug)]
+pub(crate) struct Textures {
+    defaults: [TextureObject; 5],
+    /// Names in use; `None` for a generated name that was not bound yet.
+    named: HashMap<u32, Option<TextureObject>>,
+    next: u32,
+}
+
+impl Default for Textures {
+    fn default() -> Self {
+        Self { defaults: Target::ALL.map(TextureObject::new), named: HashMap::new(), next: 1 }
+    }
+}
+
+impl Textures {
+    /// The object that a name stands for on a target.
+    pub(crate) fn object(&self, target: Target, name: u32) -> &TextureObject {
+        let default = &self.defaults[target as usize];
+        self.named.get(&name).and_then(Option::as_ref).filter(|object| object.target == target).unwrap_or(default)
+    }
+
+    /// The object that a name stands for on a target, to be changed.
+    pub(crate) fn object_mut(&mut self, target: Target, name: u32) -> &mut TextureObject {
+        let default = &mut self.defaults[target as usize];
+        match self.named.get_mut(&name) {
+            Some(Some(object)) if object.target == target => object,
+            _ => default,
+        }
+    }
+
+    fn exists(&self, name: u32) -> bool {
+        matches!(self.named.get(&name), Some(Some(_)))
+    }
+
+    fn generate(&mut self) -> u32 {
+        while self.next == 0 || self.named.contains_key(&self.next) {
+            self.next = self.next.wrapping_add(1);
+        }
+        self.named.insert(self.next, None);
+        self.next
+    }
+}
+
+/// A target that textures are bound to, or INVALID_ENUM.
+pub(crate) fn bindable(target: GLenum) -> Outcome<Target> {
+    texture_target(target).ok_or_else(|| invalid_enum(format!("{} is not a texture target", name(target))))
+}
+
+fn wrong(what: &str, value: GLenum) -> GlError {
+    invalid_enum(format!("{} is not {what}", name(value)))
+}
+
+impl Engine {
+    /// The name bound to a target of the active unit.
+    pub(crate) fn bound_name(&self, target: Target) -> u32 {
+        self.state.texture.units[self.state.texture.active].bound[target as usize]
+    }
+
+    /// The object bound to a target of the active unit.
+    pub(crate) fn bound_texture(&self, target: Target) -> &TextureObject {
+        self.textures.object(target, self.bound_name(target))
+    }
+
+    /// The object bound to a target of the active unit, to be changed.
+    pub(crate) fn bound_texture_mut(&mut self, target: Target) -> &mut TextureObject {
+        let name = self.bound_name(target);
+        self.dirty.add(Dirty { vertex: true, fragment: true, raster: false });
+        self.textures.object_mut(target, name)
+    }
+
+    pub(crate) fn gen_textures(&mut self, n: i32, names: &mut [u32]) -> Outcome {
+        not_negative("n", n)?;
+        for to in names.iter_mut().take(n as usize) {
+            *to = self.textures.generate();
+        }
+        Ok(())
+    }
+
+    pub(crate) fn delete_textures(&mut self, n: i32, names: &[u32]) -> Outcome {
+        not_negative("n", n)?;
+        for deleted in names.iter().take(n as usize).filter(|v| **v != 0) {
+            self.textures.named.remove(deleted);
+            for bound in self.state.texture.units.iter_mut().flat_map(|unit| &mut unit.bound) {
+                if bound == deleted {
+                    *bound = 0;
+                    self.dirty = Dirty::ALL;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn bind_texture(&mut self, target: GLenum, texture: u32) -> Outcome {
+        let to = bindable(target)?;
+        if texture != 0 {
+            match self.textures.named.get(&texture) {
+                Some(Some(object)) if object.target != to => {
+                    return Err(invalid_operation(format!(
+                        "texture {texture} is a {:?} texture and cannot be bound to {}; a name keeps its first target",
+                        object.target,
+                        name(target)
+                    )));
+                }
+                Some(Some(_)) => {}
+                _ => {
+                    self.textures.named.insert(texture, Some(TextureObject::new(to)));
+                }
+            }
+        }
+        let bound = &mut self.state.texture.units[self.state.texture.active].bound[to as usize];
+        if *bound != texture {
+            *bound = texture;
+            self.dirty = Dirty::ALL;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn is_texture(&mut self, texture: u32) -> bool {
+        self.textures.exists(texture)
+    }
+
+    /// Every texture is resident: there is one memory.
+    pub(crate) fn are_textures_resident(&mut self, n: i32, names: &[u32], residences: &mut [u8]) -> Outcome<bool> {
+        not_negative("n", n)?;
+        let asked = &names[..names.len().min(n as usize)];
+        if let Some(unknown) = asked.iter().find(|v| !self.textures.exists(**v)) {
+            return Err(invalid_value(format!("{unknown} is not the name of a texture")));
+        }
+        residences.iter_mut().take(asked.len()).for_each(|to| *to = GL_TRUE);
+        Ok(true)
+    }
+
+    pub(crate) fn prioritize_textures(&mut self, n: i32, names: &[u32], priorities: &[f32]) -> Outcome {
+        not_negative("n", n)?;
+        for (texture, priority) in names.iter().zip(priorities).take(n as usize) {
+            if let Some(Some(object)) = self.textures.named.get_mut(texture) {
+                object.parameters.priority = priority.max(0.0).min(1.0);
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn tex_parameter(&mut self, target: GLenum, pname: GLenum, params: &Params) -> Outcome {
+        let to = bindable(target)?;
+        let mut changed = self.bound_texture(to).parameters.clone();
+        set_parameter(&mut changed, to, pname, params)?;
+        let object = self.bound_texture_mut(to);
+        if object.parameters != changed {
+            object.parameters = changed;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn get_tex_parameter(&mut self, target: GLenum, pname: GLenum) -> Outcome<Values> {
+        let object = self.bound_texture(bindable(target)?);
+        parameter_value(&object.parameters, pname).ok_or_else(|| wrong("a texture parameter", pname))
+    }
+
+    /// Parameters of all bound textures, for PushAttrib.
+    pub(crate) fn bound_parameters(&self) -> Vec<(u32, Target, TexParameters)> {
+        let mut all: Vec<(u32, Target, TexParameters)> = Vec::new();
+        for unit in &self.state.texture.units {
+            for (target, texture) in Target::ALL.into_iter().zip(unit.bound) {
+                if !all.iter().any(|(n, t, _)| (*n, *t) == (texture, target)) {
+                    all.push((texture, target, self.textures.object(target, texture).parameters.clone()));
+                }
+            }
+        }
+        all
+    }
+
+    /// Puts back what [`Engine::bound_parameters`] saved, unless the texture was deleted since.
+    pub(crate) fn restore_parameters(&mut self, texture: u32, target: Target, parameters: TexParameters) {
+        if texture == 0 || self.textures.exists(texture) {
+            self.textures.object_mut(target, texture).parameters = parameters;
+        }
+    }
+
+    /// A binding that PopAttrib brought back may name a texture that was deleted since: it becomes 0.
+    pub(crate) fn forget_deleted_bindings(&mut self) {
+        let textures = &self.textures;
+        for bound in self.state.texture.units.iter_mut().flat_map(|unit| &mut unit.bound) {
+            if *bound != 0 && !textures.exists(*bound) {
+                *bound = 0;
+            }
+        }
+    }
+}
+
+pub(crate) fn not_negative(what: &str, n: i32) -> Outcome {
+    if n >= 0 { Ok(()) } else { Err(invalid_value(format!("{what} is {n}; it must not be negative"))) }
+}
+
+fn wrap_allowed(target: Target, wrap: GLenum) -> bool {
+    match wrap {
+        GL_CLAMP | GL_CLAMP_TO_EDGE | GL_CLAMP_TO_BORDER => true,
+        GL_REPEAT
+        | GL_MIRRORED_REPEAT
+        | GL_MIRROR_CLAMP_EXT
+        | GL_MIRROR_CLAMP_TO_EDGE_EXT
+        | GL_MIRROR_CLAMP_TO_BORDER_EXT => target != Target::Rectangle,
+        _ => false,
+    }
+}
+
+fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &Params) -> Outcome {
+    let value = params.enumerant();
+    let rectangle = target == Target::Rectangle;
+    match pname {
+        GL_TEXTURE_WRAP_S | GL_TEXTURE_WRAP_T | GL_TEXTURE_WRAP_R => {
+            if !wrap_allowed(target, value) {
+                return Err(wrong("a wrap mode of this target", value));
+            }
+            let coordinate = match pname {
+                GL_TEXTURE_WRAP_S => 0,
+                GL_TEXTURE_WRAP_T => 1,
+                _ => 2,
+            };
+            p.wrap[coordinate] = value;
+        }
+        GL_TEXTURE_MIN_FILTER => match value {
+            GL_NEAREST | GL_LINEAR => p.min_filter = value,
+            GL_NEAREST_MIPMAP_NEAREST
+            | GL_LINEAR_MIPMAP_NEAREST
+            | GL_NEAREST_MIPMAP_LINEAR
+            | GL_LINEAR_MIPMAP_LINEAR
+                if !rectangle =>
+            {
+                p.min_filter = value;
+            }
+            _ => return Err(wrong("a minification filter of this target", value)),
+        },
+        GL_TEXTURE_MAG_FILTER => match value {
+            GL_NEAREST | GL_LINEAR => p.mag_filter = value,
+            _ => return Err(wrong("a magnification filter (GL_NEAREST or GL_LINEAR)", value)),
+        },
+        GL_TEXTURE_BORDER_COLOR => {
+            params.vector_only("TexParameter", pname)?;
+            p.border_color = params.color().map(|c| c.max(0.0).min(1.0));
+        }
+        GL_TEXTURE_PRIORITY => p.priority = params.scalar().max(0.0).min(1.0),
+        GL_TEXTURE_MIN_LOD => p.min_lod = params.scalar(),
+        GL_TEXTURE_MAX_LOD => p.max_lod = params.scalar(),
+        GL_TEXTURE_LOD_BIAS => p.lod_bias = params.scalar(),
+        GL_TEXTURE_BASE_LEVEL | GL_TEXTURE_MAX_LEVEL => {
+            let level = params.integer(0);
+            not_negative("a level", level)?;
+            if pname == GL_TEXTURE_MAX_LEVEL {
+                p.max_level = level;
+            } else if rectangle && level != 0 {
+                return Err(invalid_operation("a rectangle texture has only level 0, so that is its base level"));
+            } else {
+                p.base_level = level;
+            }
+        }
+        GL_TEXTURE_MAX_ANISOTROPY_EXT => {
+            let degree = params.scalar();
+            if degree.is_nan() || degree < 1.0 {
+                return Err(invalid_value(format!("a degree of anisotropy of {degree}; it is at least 1")));
+            }
+            p.max_anisotropy = degree.min(crate::limits::MAX_TEXTURE_MAX_ANISOTROPY);
+        }
+        GL_DEPTH_TEXTURE_MODE => match value {
+            GL_LUMINANCE | GL_INTENSITY | GL_ALPHA => p.depth_mode = value,
+            _ => return Err(wrong("GL_LUMINANCE, GL_INTENSITY or GL_ALPHA", value)),
+        },
+        GL_TEXTURE_COMPARE_MODE => match value {
+            GL_NONE | GL_COMPARE_R_TO_TEXTURE => p.compare_mode = value,
+            _ => return Err(wrong("GL_NONE or GL_COMPARE_R_TO_TEXTURE", value)),
+        },
+        GL_TEXTURE_COMPARE_FUNC => {
+            if !(GL_NEVER..=GL_ALWAYS).contains(&value) {
+                return Err(wrong("a comparison function", value));
+            }
+            p.compare_func = value;
+        }
+        GL_GENERATE_MIPMAP => p.generate_mipmap = params.boolean(),
+        _ => return Err(wrong("a texture parameter", pname)),
+    }
+    Ok(())
+}
+
+fn parameter_value(p: &TexParameters, pname: GLenum) -> Option<Values> {
+    Some(match pname {
+        GL_TEXTURE_WRAP_S => Values::enumerant(p.wrap[0]),
+        GL_TEXTURE_WRAP_T => Values::enumerant(p.wrap[1]),
+        GL_TEXTURE_WRAP_R => Values::enumerant(p.wrap[2]),
+        GL_TEXTURE_MIN_FILTER => Values::enumerant(p.min_filter),
+        GL_TEXTURE_MAG_FILTER => Values::enumerant(p.mag_filter),
+        GL_TEXTURE_BORDER_COLOR => Values::unit(&p.border_color),
+        GL_TEXTURE_PRIORITY => Values::unit(&[p.priority]),
+        GL_TEXTURE_RESIDENT => Values::boolean(true),
+        GL_TEXTURE_MIN_LOD => Values::float(p.min_lod),
+        GL_TEXTURE_MAX_LOD => Values::float(p.max_lod),
+        GL_TEXTURE_LOD_BIAS => Values::float(p.lod_bias),
+        GL_TEXTURE_BASE_LEVEL => Values::int(p.base_level),
+        GL_TEXTURE_MAX_LEVEL => Values::int(p.max_level),
+        GL_TEXTURE_MAX_ANISOTROPY_EXT => Values::float(p.max_anisotropy),
+        GL_DEPTH_TEXTURE_MODE => Values::enumerant(p.depth_mode),
+        GL_TEXTURE_COMPARE_MODE => Values::enumerant(p.compare_mode),
+        GL_TEXTURE_COMPARE_FUNC => Values::enumerant(p.compare_func),
+        GL_GENERATE_MIPMAP => Values::boolean(p.generate_mipmap),
+        _ => return None,
+    })
+}
