@@ -12,6 +12,7 @@ pub(crate) mod engine;
 pub(crate) mod errors;
 pub(crate) mod flush;
 pub(crate) mod fragment_state;
+pub(crate) mod frame;
 pub(crate) mod get;
 pub(crate) mod get_limits;
 pub(crate) mod get_params;
