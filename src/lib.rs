@@ -1,6 +1,7 @@
 //! Fixed-function OpenGL 1.0-1.5 in software.
 
 pub mod batch;
+pub mod c;
 pub mod context;
 pub mod enums;
 pub mod error;

@@ -137,11 +137,7 @@ impl Context {
 
     /// Writes the answer of a query in the type of the asking command.
     #[track_caller]
-    pub(crate) fn answer<T: FromState>(&mut self, name: &'static str, result: Outcome<Values>, out: &mut [T]) {
-        let values = match result {
-            Ok(values) => values,
-            Err(error) => return self.fail(name, error),
-        };
+    pub(crate) fn answer<T: FromState>(&mut self, name: &'static str, values: &Values, out: &mut [T]) {
         if out.len() < values.len() {
             return self.short(name, "params", values.len(), out.len(), "values");
         }

@@ -1,12 +1,13 @@
 //! What the doors ask the engine apart from commands, with the answers of an engine that does not know: whether a
-//! Begin is open, how many bytes an image takes under the pixel-store state, what an array element consists of. An
+//! Begin is open, how images lie in client memory, what an array element consists of. An
 //! inherent method of `Engine` with the same name takes the place of an answer here.
 
+use super::Indices;
 use super::engine::Engine;
 use super::errors::missing;
-use super::{Indices, Pixels};
 use crate::enums::GLenum;
 use crate::error::Outcome;
+use crate::state::pixel::PixelStore;
 
 /// The values of one element of the enabled vertex arrays, as the attribute commands would give them.
 #[derive(Clone, Debug, Default)]
@@ -40,15 +41,6 @@ pub(crate) trait Questions {
     fn current_list_base(&mut self) -> u32 {
         0
     }
-    /// Bytes from the pointer to the end of the last row that an image of a size takes under the unpack state; 0 for a
-    /// combination that is an error.
-    fn unpack_bytes(&mut self, _width: i32, _height: i32, _depth: i32, _format: GLenum, _type: GLenum) -> usize {
-        0
-    }
-    /// The same under the pack state.
-    fn pack_bytes(&mut self, _width: i32, _height: i32, _depth: i32, _format: GLenum, _type: GLenum) -> usize {
-        0
-    }
     /// Bytes that `GetTexImage` writes; 0 if it is an error.
     fn tex_image_bytes(&mut self, _target: GLenum, _level: i32, _format: GLenum, _type: GLenum) -> usize {
         0
@@ -60,18 +52,6 @@ pub(crate) trait Questions {
     /// Bytes that a query of the imaging subset writes; 0 if it is an error.
     fn imaging_bytes(&mut self, _target: GLenum, _format: GLenum, _type: GLenum) -> usize {
         0
-    }
-    /// Pixels as a display list keeps them: unpacked from the present unpack state into tight rows.
-    fn capture_pixels(
-        &mut self,
-        _width: i32,
-        _height: i32,
-        _depth: i32,
-        _format: GLenum,
-        _type: GLenum,
-        pixels: &Pixels<'_>,
-    ) -> Outcome<Pixels<'static>> {
-        super::recorder::keep_bytes(pixels)
     }
     /// Whether a buffer object is bound to `ELEMENT_ARRAY_BUFFER`: then `DrawElements` takes an offset.
     fn element_array_buffer_bound(&mut self) -> bool {
@@ -117,10 +97,6 @@ pub(crate) trait Questions {
     ) -> Outcome {
         self.draw_elements(mode, count, type_, indices)
     }
-    /// `PixelStore` in both forms.
-    fn pixel_store(&mut self, _pname: GLenum, _param: i32) -> Outcome {
-        Err(missing("pixel_store"))
-    }
     /// `RenderMode`.
     fn render_mode(&mut self, _mode: GLenum) -> Outcome<i32> {
         Err(missing("render_mode"))
@@ -156,3 +132,21 @@ pub(crate) trait Questions {
 }
 
 impl Questions for Engine {}
+
+impl Engine {
+    /// How client memory is laid out for commands that read images.
+    pub(crate) fn unpack_store(&self) -> PixelStore {
+        self.client.pixel_store.unpack
+    }
+
+    /// How client memory is laid out for commands that write images.
+    #[cfg_attr(not(feature = "capi"), expect(dead_code, reason = "only the C door has to know"))]
+    pub(crate) fn pack_store(&self) -> PixelStore {
+        self.client.pixel_store.pack
+    }
+
+    /// Sets the layout that `unpack_store` tells.
+    pub(crate) fn set_unpack_store(&mut self, store: PixelStore) {
+        self.client.pixel_store.unpack = store;
+    }
+}

@@ -7,6 +7,7 @@ use super::recorder::{Command, List, OpenList};
 use super::{Context, counts};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::state::pixel::PixelStore;
 use std::collections::BTreeMap;
 
 /// Depth of lists within lists (`MAX_LIST_NESTING`).
@@ -149,9 +150,17 @@ impl Context {
         Ok(())
     }
 
-    /// Carries out lists by their names.
+    /// Carries out lists by their names. Images that lists hold are tight: so is the unpack state meanwhile.
     #[track_caller]
     pub(crate) fn run_lists(&mut self, command: &'static str, names: Box<[u32]>) {
+        let store = self.engine.unpack_store();
+        self.engine.set_unpack_store(PixelStore::TIGHT);
+        self.run_stack(command, names);
+        self.engine.set_unpack_store(store);
+    }
+
+    #[track_caller]
+    fn run_stack(&mut self, command: &'static str, names: Box<[u32]>) {
         let mut stack = vec![Frame::Names(names, 0)];
         let (mut depth, mut calls) = (0, 0);
         while let Some(top) = stack.last_mut() {

@@ -4,6 +4,7 @@
 
 pub(crate) mod args;
 pub(crate) mod attrib;
+pub(crate) mod capture;
 pub(crate) mod config;
 pub(crate) mod convert;
 pub(crate) mod counts;

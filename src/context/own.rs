@@ -4,7 +4,6 @@
 
 use super::hooks::{ArrayElement, Questions as _};
 use super::recorder::Command;
-use super::table::get::Fallback as _;
 use super::table::vertex::Op;
 use super::{Context, IndexLists, Indices, Pixels, Values};
 use crate::enums::*;
@@ -251,19 +250,6 @@ pub(crate) fn multi_draw_arrays(
     for (first, count) in first.iter().zip(count) {
         draw_arrays(cx, name, mode, *first, *count);
     }
-}
-
-#[track_caller]
-pub(crate) fn pixel_storei(cx: &mut Context, name: &'static str, pname: GLenum, param: i32) {
-    outside(cx, name, |cx| outcome(cx.engine.pixel_store(pname, param)))
-}
-
-#[track_caller]
-pub(crate) fn pixel_storef(cx: &mut Context, name: &'static str, pname: GLenum, param: f32) {
-    // A boolean is true for every number but 0, also for those that are rounded to 0.
-    let boolean = matches!(pname, GL_PACK_SWAP_BYTES | GL_PACK_LSB_FIRST | GL_UNPACK_SWAP_BYTES | GL_UNPACK_LSB_FIRST);
-    let rounded = super::values::round_to_int(f64::from(param));
-    pixel_storei(cx, name, pname, if boolean { i32::from(param != 0.0) } else { rounded })
 }
 
 /// The result of an engine method in whatever shape it comes.

@@ -21,9 +21,9 @@ pub enum Pixels<'a> {
     Null,
     /// Memory that is laid out as the unpack state says.
     Bytes(Cow<'a, [u8]>),
-    /// Pixels that a display list holds: rows without padding, native byte order, nothing skipped, whatever the
-    /// unpack state says.
-    Tight(Arc<[u8]>),
+    /// Pixels that a display list holds: rows without padding, native byte order, nothing skipped. While a list is
+    /// carried out the unpack state is such.
+    Kept(Arc<[u8]>),
 }
 
 impl Pixels<'_> {
@@ -33,14 +33,14 @@ impl Pixels<'_> {
         match self {
             Pixels::Null => None,
             Pixels::Bytes(bytes) => Some(bytes),
-            Pixels::Tight(bytes) => Some(bytes),
+            Pixels::Kept(bytes) => Some(bytes),
         }
     }
 
-    /// Whether the unpack state does not apply: the default one with alignment 1 does.
+    /// Whether a display list has kept them: then the unpack state at the time of the call does not apply.
     #[must_use]
     pub fn is_tight(&self) -> bool {
-        matches!(self, Pixels::Tight(_))
+        matches!(self, Pixels::Kept(_))
     }
 }
 
@@ -51,6 +51,16 @@ pub enum PixelsMut<'a> {
     Null,
     /// Memory that is laid out as the pack state says.
     Bytes(&'a mut [u8]),
+}
+
+impl<'a> PixelsMut<'a> {
+    /// The bytes; none if there is no memory.
+    pub(crate) fn into_bytes(self) -> &'a mut [u8] {
+        match self {
+            PixelsMut::Null => &mut [],
+            PixelsMut::Bytes(bytes) => bytes,
+        }
+    }
 }
 
 /// A vertex array: where `VertexPointer` and its sisters point to.
@@ -181,6 +191,12 @@ nulls! {
     PixelsMut<'a>: PixelsMut::Null;
     ArrayData: ArrayData::Offset(0);
     Indices<'a>: Indices::Offset(0);
+}
+
+impl<'a> From<&'a str> for Pixels<'a> {
+    fn from(text: &'a str) -> Self {
+        Pixels::Bytes(Cow::Borrowed(text.as_bytes()))
+    }
 }
 
 impl<'a> From<Option<&'a [u8]>> for Pixels<'a> {

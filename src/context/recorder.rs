@@ -116,7 +116,7 @@ pub(crate) fn keep<T: Copy>(values: &[T]) -> Outcome<Box<[T]>> {
 pub(crate) fn keep_bytes(pixels: &Pixels<'_>) -> Outcome<Pixels<'static>> {
     match pixels {
         Pixels::Null => Ok(Pixels::Null),
-        Pixels::Tight(bytes) => Ok(Pixels::Tight(bytes.clone())),
-        Pixels::Bytes(bytes) => Ok(Pixels::Tight(keep(bytes)?.into())),
+        Pixels::Kept(bytes) => Ok(Pixels::Kept(bytes.clone())),
+        Pixels::Bytes(bytes) => Ok(Pixels::Kept(keep(bytes)?.into())),
     }
 }

@@ -19,10 +19,6 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         /// Draws several primitives of consecutive elements (section 2.8).
         list glMultiDrawArrays | glMultiDrawArraysEXT multi_draw_arrays(mode: enum, first: (slice i32: count(drawcount)),
             count: (slice i32: count(drawcount)), drawcount: i32);
-        /// Sets how pixels lie in memory (section 3.6.1). `INVALID_VALUE` for numbers out of range.
-        now glPixelStorei pixel_storei(pname: enum, param: int);
-        /// Sets how pixels lie in memory (section 3.6.1). `INVALID_VALUE` for numbers out of range.
-        now glPixelStoref pixel_storef(pname: enum, param: float);
     }
     now {
         /// Sets the array of vertices (section 2.8).
@@ -58,6 +54,10 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         now glLockArraysEXT lock_arrays(first: i32, count: i32);
         /// Takes the promise of LockArrays back.
         now glUnlockArraysEXT unlock_arrays();
+        /// Sets how pixels lie in memory (section 3.6.1). `INVALID_VALUE` for numbers out of range.
+        now glPixelStorei pixel_storei(pname: enum, param: int);
+        /// Sets how pixels lie in memory (section 3.6.1). `INVALID_VALUE` for numbers out of range.
+        now glPixelStoref pixel_storef(pname: enum, param: float);
         /// Binds a buffer object and makes it if it is new (section 2.9).
         now glBindBuffer | glBindBufferARB bind_buffer(target: enum, buffer: uint);
         /// Deletes buffer objects; names that do not exist and 0 are ignored (section 2.9).

@@ -224,19 +224,34 @@ macro_rules! chapter {
                 #[doc = $q_sentence]
                 #[doc = concat!("\n\nIn C: `", stringify!($q_name), "`.")]
                 #[track_caller]
-                pub fn $q_snake<'a>(
+                pub fn $q_snake(
                     &mut self,
                     $($qa: $crate::context::table::kinds::door_ty!($qk),)*
                     params: &mut (impl $crate::context::OutSlice<$q_type> + ?Sized),
                 ) {
-                    let (cx, name) = (self, stringify!($q_name));
+                    if let Some(values) = $crate::context::table::Ask::$q_snake(self, $($qa),*) {
+                        self.answer(stringify!($q_name), &values, params.slice_mut())
+                    }
+                }
+            )* )*
+        }
+
+        impl $crate::context::table::Ask {
+            $( $(
+                #[track_caller]
+                pub(crate) fn $q_snake(
+                    cx: &mut $crate::context::Context,
+                    $($qa: $crate::context::table::kinds::door_ty!($qk)),*
+                ) -> Option<$crate::context::Values> {
+                    let name = stringify!($q_name);
                     $crate::context::table::generate::enter!(cx, name, $($qa : $qk),*);
                     if cx.engine.inside_begin_end() {
                         return cx.refuse_inside(name);
                     }
-                    $( let $qa = $crate::context::table::kinds::checked!($qk, cx, name, $qa); )*
-                    let result = $crate::context::table::generate::ask!(cx, $query($($qe),*));
-                    cx.answer(name, result, params.slice_mut())
+                    match $crate::context::table::generate::ask!(cx, $query($($qe),*)) {
+                        Ok(values) => Some(values),
+                        Err(error) => cx.fail(name, error),
+                    }
                 }
             )* )*
         }

@@ -11,10 +11,10 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
     commands {
         /// Specifies a colour table (section 3.6.3). A proxy target only asks whether it would fit.
         proxy glColorTable | glColorTableEXT | glColorTableSGI color_table(target: enum, internal_format: enum, width: i32,
-            format: enum, type_: enum, table: (rect width, 1, 1, format, type_));
+            format: enum, type_: enum, table: (rect [width, 1], format, type_));
         /// Replaces a part of a colour table (section 3.6.3).
         list glColorSubTable | glColorSubTableEXT color_sub_table(target: enum, start: i32, count: i32, format: enum,
-            type_: enum, data: (rect count, 1, 1, format, type_));
+            type_: enum, data: (rect [count, 1], format, type_));
         /// Makes a colour table of pixels of the read buffer (section 3.6.3).
         list glCopyColorTable | glCopyColorTableSGI copy_color_table(target: enum, internal_format: enum, x: i32, y: i32,
             width: i32);
@@ -23,14 +23,14 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
             width: i32);
         /// Specifies a one-dimensional convolution filter (section 3.6.3).
         list glConvolutionFilter1D | glConvolutionFilter1DEXT convolution_filter_1d(target: enum, internal_format: enum,
-            width: i32, format: enum, type_: enum, image: (rect width, 1, 1, format, type_));
+            width: i32, format: enum, type_: enum, image: (rect [width, 1], format, type_));
         /// Specifies a two-dimensional convolution filter (section 3.6.3).
         list glConvolutionFilter2D | glConvolutionFilter2DEXT convolution_filter_2d(target: enum, internal_format: enum,
-            width: i32, height: i32, format: enum, type_: enum, image: (rect width, height, 1, format, type_));
+            width: i32, height: i32, format: enum, type_: enum, image: (rect [width, height], format, type_));
         /// Specifies a separable convolution filter (section 3.6.3).
         list glSeparableFilter2D | glSeparableFilter2DEXT separable_filter_2d(target: enum, internal_format: enum,
-            width: i32, height: i32, format: enum, type_: enum, row: (rect width, 1, 1, format, type_),
-            column: (rect height, 1, 1, format, type_));
+            width: i32, height: i32, format: enum, type_: enum, row: (rect [width, 1], format, type_),
+            column: (rect [height, 1], format, type_));
         /// Makes a one-dimensional convolution filter of pixels of the read buffer (section 3.6.3).
         list glCopyConvolutionFilter1D | glCopyConvolutionFilter1DEXT copy_convolution_filter_1d(target: enum,
             internal_format: enum, x: i32, y: i32, width: i32);
@@ -78,7 +78,7 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
             values: (imaging_out target, format, type_));
         /// Writes the minmax table under the pack state (section 6.1.10).
         now glGetMinmax | glGetMinmaxEXT get_minmax(target: enum, reset: bool, format: enum, type_: enum,
-            values: (rect_out 2, 1, 1, format, type_));
+            values: (rect_out [2, 1], format, type_));
     }
     queries {
         family "A property of a colour table (section 6.1.7)." {

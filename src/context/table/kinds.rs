@@ -112,17 +112,10 @@ macro_rules! checked {
             None => return $cx.short($name, stringify!($a), needed, there, "values"),
         }
     }};
-    ((rect $w:expr, $h:expr, $d:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
-        if let Some(bytes) = $a.bytes()
-            && !$a.is_tight()
-        {
-            let needed = $cx.engine.unpack_bytes($w, $h, $d, $format, $type);
-            if bytes.len() < needed {
-                return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
-            }
-        }
+    // The engine knows best how much memory an image takes and says so in words.
+    ((rect $size:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {
         &$a
-    }};
+    };
     ((bytes $size:expr), $cx:ident, $name:ident, $a:ident) => {{
         let needed = $crate::context::counts::size($size);
         if let Some(bytes) = $a.bytes()
@@ -132,36 +125,25 @@ macro_rules! checked {
         }
         &$a
     }};
-    ((rect_out $w:expr, $h:expr, $d:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $cx.engine.pack_bytes($w, $h, $d, $format, $type);
-        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
-    }};
-    ((tex_out $target:expr, $level:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $cx.engine.tex_image_bytes($target, $level, $format, $type);
-        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
-    }};
-    ((imaging_out $target:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $cx.engine.imaging_bytes($target, $format, $type);
-        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
-    }};
-    ((bytes_out compressed_size($target:expr, $level:expr)), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $cx.engine.compressed_tex_image_bytes($target, $level);
-        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
-    }};
-    ((bytes_out $size:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $crate::context::counts::size($size);
-        $crate::context::table::kinds::checked!(@out needed, $cx, $name, $a)
-    }};
-    (@out $needed:ident, $cx:ident, $name:ident, $a:ident) => {
-        match $a {
-            $crate::context::PixelsMut::Bytes(bytes) if bytes.len() >= $needed => bytes,
-            $crate::context::PixelsMut::Null if $needed == 0 => &mut [],
-            $crate::context::PixelsMut::Bytes(bytes) => {
-                return $cx.short($name, stringify!($a), $needed, bytes.len(), "bytes");
-            }
-            $crate::context::PixelsMut::Null => return $cx.short($name, stringify!($a), $needed, 0, "bytes"),
-        }
+    ((rect_out $size:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {
+        $crate::context::PixelsMut::into_bytes($a)
     };
+    ((tex_out $($size:expr),*), $cx:ident, $name:ident, $a:ident) => {
+        $crate::context::PixelsMut::into_bytes($a)
+    };
+    ((imaging_out $($size:expr),*), $cx:ident, $name:ident, $a:ident) => {
+        $crate::context::PixelsMut::into_bytes($a)
+    };
+    ((bytes_out compressed_size($target:expr, $level:expr)), $cx:ident, $name:ident, $a:ident) => {
+        $crate::context::PixelsMut::into_bytes($a)
+    };
+    ((bytes_out $size:expr), $cx:ident, $name:ident, $a:ident) => {{
+        let (needed, bytes) = ($crate::context::counts::size($size), $crate::context::PixelsMut::into_bytes($a));
+        if bytes.len() < needed {
+            return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
+        }
+        bytes
+    }};
     ((indices $count:ident, $type:ident), $cx:ident, $name:ident, $a:ident) => {{
         let needed = $crate::context::counts::indices($count, $type);
         match &$a {
@@ -234,8 +216,8 @@ macro_rules! owned {
             Err(error) => return $cx.fail($name, error),
         }
     };
-    ((rect $w:expr, $h:expr, $d:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {
-        match $cx.engine.capture_pixels($w, $h, $d, $format, $type, $a) {
+    ((rect $size:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {
+        match $crate::context::capture::capture(&mut $cx.engine, $size, $format, $type, $a) {
             Ok(kept) => kept,
             Err(error) => return $cx.fail($name, error),
         }

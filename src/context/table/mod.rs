@@ -17,7 +17,7 @@
 //!
 //! # Kinds of arguments (see `kinds.rs`)
 //! `enum`, `bits`, `uint`, Rust's scalars, `int`, `float` and `bool` (doors take what C would convert); `[f32; 4]` a vector of
-//! fixed length; `(slice f32: light(pname))` and `(out u32: count(n))` with a count from `counts.rs`; `(rect w, h, d,
+//! fixed length; `(slice f32: light(pname))` and `(out u32: count(n))` with a count from `counts.rs`; `(rect [w, h],
 //! format, type)` pixels under the unpack state and `(rect_out ..)` under the pack state; `(bytes n)`; `array` a vertex
 //! array; `(indices count, type)`; `{T}`, `params` and `matrix` in canonical rows only.
 //!
@@ -33,7 +33,7 @@
 //! frustum/ortho(6 x f64)  depth_range(f64, f64)  clip_plane(plane, &[f64;4])
 //! tex_gen(coord, pname, &Params)  light(light, pname, &Params)  light_model(pname, &Params)  fog(pname, &Params)
 //! material(face, pname, &Params)  point_parameter(pname, &Params)  tex_parameter(target, pname, &Params)
-//! tex_env(target, pname, &Params)  pixel_transfer(pname, &Params)  pixel_map(map, &[f32])  pixel_store(pname, i32)
+//! tex_env(target, pname, &Params)  pixel_transfer(pname, &Params)  pixel_map(map, &[f32])  pixel_storei(pname, i32)  pixel_storef(pname, f32)
 //! map1(target, u1, u2, stride, order, &[f64])  map2(..)  map_grid1(un, u1, u2)  map_grid2(..)  eval_coord1(f64)
 //! eval_coord2(f64, f64)  color_table_parameter/convolution_parameter(target, pname, &Params)
 //! tex_image_2d(target, level, internal_format: i32, width, height, border, format, type, &Pixels)   and its sisters
@@ -49,7 +49,7 @@
 //! render_mode(mode) -> Outcome<i32>  feedback_buffer(size, type)  select_buffer(size)  feedback_values() -> &[f32]
 //! select_values() -> &[u32]  map_buffer(target, access) -> Outcome<&mut [u8]>  unmap_buffer(target) -> Outcome<bool>
 //! ```
-//! and what `hooks.rs` asks: `inside_begin_end()`, `current_list_base()`, `unpack_bytes(..)`, `array_element_values(..)`, ...
+//! and what `hooks.rs` asks: `inside_begin_end()`, `current_list_base()`, `unpack_store()`, `array_element_values(..)`, ...
 //! `Params` (in `params.rs`) knows the form that was called; `Values` (in `values.rs`) is converted to the type that asked.
 
 pub(crate) mod arrays;
@@ -69,6 +69,9 @@ pub(crate) mod vertex;
 
 /// The way of every canonical command to the engine: one associated function each, made by the chapters.
 pub(crate) struct Run;
+
+/// The answers to the typed queries before they take the type that was asked for: one associated function each.
+pub(crate) struct Ask;
 
 /// When a command is allowed and whether a display list records it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

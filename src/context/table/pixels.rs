@@ -13,10 +13,10 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
     commands {
         /// Draws a rectangle of pixels at the raster position (section 3.6.4).
         list glDrawPixels draw_pixels(width: i32, height: i32, format: enum, type_: enum,
-            pixels: (rect width, height, 1, format, type_));
+            pixels: (rect [width, height], format, type_));
         /// Draws a bitmap at the raster position and moves the position (section 3.7).
         list glBitmap bitmap(width: i32, height: i32, xorig: f32, yorig: f32, xmove: f32, ymove: f32,
-            bitmap: (rect width, height, 1, GL_COLOR_INDEX, GL_BITMAP));
+            bitmap: (rect [width, height], GL_COLOR_INDEX, GL_BITMAP));
         /// Copies pixels of the read buffer to the raster position (section 4.3.3).
         list glCopyPixels copy_pixels(x: i32, y: i32, width: i32, height: i32, type_: enum);
         /// Sets the zoom of pixel rectangles (section 3.6.5).
@@ -42,7 +42,7 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
     now {
         /// Reads pixels of the read buffer under the pack state (section 4.3.2).
         now glReadPixels read_pixels(x: i32, y: i32, width: i32, height: i32, format: enum, type_: enum,
-            pixels: (rect_out width, height, 1, format, type_));
+            pixels: (rect_out [width, height], format, type_));
     }
     queries {
         family "A table of pixel transfer (section 6.1.3)." {

@@ -24,7 +24,7 @@ macro_rules! raster_table { ($generate:ident) => { $generate! {
         /// Sets the depth offset of polygons (section 3.5.5).
         list glPolygonOffset polygon_offset(factor: f32, units: f32);
         /// Sets the stipple pattern of polygons: 32 rows of 32 bits under the unpack state (section 3.5.2).
-        list glPolygonStipple polygon_stipple(mask: (rect 32, 32, 1, GL_COLOR_INDEX, GL_BITMAP));
+        list glPolygonStipple polygon_stipple(mask: (rect [32, 32], GL_COLOR_INDEX, GL_BITMAP));
         /// Sets sample coverage for multisampling (section 4.1.3).
         list glSampleCoverage | glSampleCoverageARB sample_coverage(value: f32, invert: bool);
         /// Asks for speed or quality where the specification leaves a choice (section 5.6). `INVALID_ENUM` for other
@@ -42,7 +42,7 @@ macro_rules! raster_table { ($generate:ident) => { $generate! {
     own {}
     now {
         /// Writes the polygon stipple pattern under the pack state (section 6.1.6).
-        now glGetPolygonStipple get_polygon_stipple(mask: (rect_out 32, 32, 1, GL_COLOR_INDEX, GL_BITMAP));
+        now glGetPolygonStipple get_polygon_stipple(mask: (rect_out [32, 32], GL_COLOR_INDEX, GL_BITMAP));
     }
     queries {}
     answers {}

@@ -13,27 +13,27 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
         /// `INVALID_VALUE` for levels, sizes, borders and internal formats that do not exist, `INVALID_OPERATION` for
         /// formats that do not fit the type or the internal format. A proxy target only asks whether it would fit.
         proxy glTexImage1D tex_image_1d(target: enum, level: i32, internal_format: int, width: i32, border: i32,
-            format: enum, type_: enum, pixels: (rect width, 1, 1, format, type_));
+            format: enum, type_: enum, pixels: (rect [width, 1], format, type_));
         /// Specifies a two-dimensional texture image, a face of a cube map or a rectangle texture (section 3.8.1). Errors
         /// as for the one-dimensional image. A proxy target only asks whether it would fit.
         proxy glTexImage2D tex_image_2d(target: enum, level: i32, internal_format: int, width: i32, height: i32,
-            border: i32, format: enum, type_: enum, pixels: (rect width, height, 1, format, type_));
+            border: i32, format: enum, type_: enum, pixels: (rect [width, height], format, type_));
         /// Specifies a three-dimensional texture image (section 3.8.1). Errors as for the one-dimensional image. A proxy
         /// target only asks whether it would fit.
         proxy glTexImage3D | glTexImage3DEXT tex_image_3d(target: enum, level: i32, internal_format: int, width: i32,
             height: i32, depth: i32, border: i32, format: enum, type_: enum,
-            pixels: (rect width, height, depth, format, type_));
+            pixels: (rect [width, height, depth], format, type_));
         /// Replaces a part of a one-dimensional texture image (section 3.8.2). `INVALID_OPERATION` if there is no image,
         /// `INVALID_VALUE` if the part lies outside.
         list glTexSubImage1D | glTexSubImage1DEXT tex_sub_image_1d(target: enum, level: i32, xoffset: i32, width: i32,
-            format: enum, type_: enum, pixels: (rect width, 1, 1, format, type_));
+            format: enum, type_: enum, pixels: (rect [width, 1], format, type_));
         /// Replaces a part of a two-dimensional texture image (section 3.8.2). Errors as for one dimension.
         list glTexSubImage2D | glTexSubImage2DEXT tex_sub_image_2d(target: enum, level: i32, xoffset: i32, yoffset: i32,
-            width: i32, height: i32, format: enum, type_: enum, pixels: (rect width, height, 1, format, type_));
+            width: i32, height: i32, format: enum, type_: enum, pixels: (rect [width, height], format, type_));
         /// Replaces a part of a three-dimensional texture image (section 3.8.2). Errors as for one dimension.
         list glTexSubImage3D | glTexSubImage3DEXT tex_sub_image_3d(target: enum, level: i32, xoffset: i32, yoffset: i32,
             zoffset: i32, width: i32, height: i32, depth: i32, format: enum, type_: enum,
-            pixels: (rect width, height, depth, format, type_));
+            pixels: (rect [width, height, depth], format, type_));
         /// Makes a one-dimensional texture image of pixels of the read buffer (section 3.8.2).
         list glCopyTexImage1D | glCopyTexImage1DEXT copy_tex_image_1d(target: enum, level: i32, internal_format: enum,
             x: i32, y: i32, width: i32, border: i32);

@@ -1,0 +1,95 @@
+//! One safe C-named function for every row of the table. Each takes the current context, calls the method of the same
+//! row, and puts the context back.
+#![expect(non_snake_case, reason = "the names are GL's own")]
+
+use super::current;
+use crate::context::table::{
+    arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
+    imaging::imaging_table, kinds::door_ty, lighting::lighting_table, lists::lists_table, pixels::pixels_table,
+    raster::raster_table, texture::texture_table, transform::transform_table, vertex::vertex_table,
+};
+
+/// What a function of this door returns: `GLboolean` in the place of `bool`.
+macro_rules! c_return {
+    () => { () };
+    (bool) => { u8 };
+    (int) => { i32 };
+    (str) => { &'static str };
+    ($unsigned:ident) => { u32 };
+}
+
+macro_rules! c_value {
+    (bool, $value:expr) => {
+        u8::from($value)
+    };
+    ($($other:ident)?, $value:expr) => {
+        $value
+    };
+}
+
+/// The functions of some rows.
+macro_rules! functions {
+    ($( $name:ident $(| $alias:ident)* $snake:ident ( $($a:ident : $k:tt),* ) $([$out:ident : $t:ty])? $(-> $r:tt)? ; )*) => {
+        $(
+            #[doc = concat!("See [`Context::", stringify!($snake), "`](crate::Context::", stringify!($snake), ").")]
+            #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
+            #[track_caller]
+            pub fn $name<'a>(
+                $($a: door_ty!($k),)*
+                $($out: &mut (impl crate::context::OutSlice<$t> + ?Sized))?
+            ) -> c_return!($($r)?) {
+                match current::take() {
+                    Some(mut cx) => {
+                        let result = cx.$snake($($a,)* $($out)?);
+                        current::put(cx);
+                        c_value!($($r)?, result)
+                    }
+                    None => {
+                        current::missed(stringify!($name));
+                        Default::default()
+                    }
+                }
+            }
+            $( pub use self::$name as $alias; )*
+        )*
+    };
+}
+
+macro_rules! c_door {
+    (
+        canonical { $($canonical:tt)* }
+        commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)*
+            $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
+        forms { $( family $sentence:literal { $( $f_class:ident $f_name:ident $(| $f_alias:ident)*
+            $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident ( $($fe:expr),* ) ; )* } )* }
+        own { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
+            $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
+        now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
+            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
+        queries { $( family $q_sentence:literal { $( $q_name:ident $(| $q_alias:ident)*
+            $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident ( $($qe:expr),* ) ; )* } )* }
+        answers { $($answers:tt)* }
+        handmade { $($handmade:tt)* }
+    ) => {
+        functions! {
+            $( $c_name $(| $c_alias)* $c_snake ( $($ca : $ck),* ) ; )*
+            $( $( $f_name $(| $f_alias)* $f_snake ( $($fa : $fk),* ) ; )* )*
+            $( $o_name $(| $o_alias)* $o_snake ( $($oa : $ok),* ) $(-> $or)? ; )*
+            $( $n_name $(| $n_alias)* $n_snake ( $($na : $nk),* ) $(-> $nr)? ; )*
+            $( $( $q_name $(| $q_alias)* $q_snake ( $($qa : $qk),* ) [params : $q_type] ; )* )*
+        }
+    };
+}
+
+vertex_table!(c_door);
+transform_table!(c_door);
+lighting_table!(c_door);
+raster_table!(c_door);
+texture_table!(c_door);
+pixels_table!(c_door);
+fragment_table!(c_door);
+arrays_table!(c_door);
+evaluators_table!(c_door);
+lists_table!(c_door);
+get_table!(c_door);
+imaging_table!(c_door);
