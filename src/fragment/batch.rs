@@ -33,10 +33,6 @@ pub struct Segment {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct FragmentBatch {
-    /// Segments in use: `segments[..segment_count]`.
-    pub segments: [Segment; LANES],
-    /// How many segments are in use.
-    pub segment_count: usize,
     /// Index of the pixel in the rows of the band (colour, depth and stencil alike); not of row segments.
     pub offset: [u32; LANES],
     /// Pixel x minus the primitive's origin; not of row segments.
@@ -65,11 +61,15 @@ pub struct FragmentBatch {
     pub packed: [u32; LANES],
     /// Coverage in [0, 1] of smooth points, lines and polygons; the rasteriser writes it for programs that use it.
     pub coverage: Lanes,
-    /// Whether a fragment is still alive after the last test.
-    pub alive: bool,
     /// Lanes in use, mask, colours and everything of texturing. `tex.primary` is the interpolated colour and
     /// `tex.previous` the colour that reaches the later stages.
     pub tex: TexBatch,
+    /// Segments in use: `segments[..segment_count]`.
+    pub segments: [Segment; LANES],
+    /// How many segments are in use.
+    pub segment_count: usize,
+    /// Whether a fragment is still alive after the last test.
+    pub alive: bool,
 }
 
 impl FragmentBatch {

@@ -2,7 +2,7 @@
 //! Nothing is read or written outside the band, whatever the segments say.
 
 use super::batch::{FragmentBatch, Segment};
-use super::segments::{CHUNK, Piece, pieces, put};
+use super::segments::{CHUNK, Lane, Piece, before_lane, from_lane, ones, pieces, put};
 use crate::batch::LANES;
 
 /// Whether the batch is one row segment of all lanes.
@@ -20,7 +20,7 @@ fn run_start(segment: &Segment, piece: Piece) -> Option<usize> {
 
 /// Reads the lanes' pixels; pixels outside the band read as the default.
 #[inline(always)]
-pub(super) fn load<T: Copy + Default>(
+pub(super) fn load<T: Lane>(
     segments: &[Segment; LANES],
     count: usize,
     offset: &[u32; LANES],
@@ -63,7 +63,7 @@ fn at(segment: &Segment, offset: &[u32; LANES], lane: usize) -> usize {
 
 /// Writes the lanes whose mask is not 0.
 #[inline(always)]
-pub(super) fn store<T: Copy>(
+pub(super) fn store<T: Lane>(
     segments: &[Segment; LANES],
     count: usize,
     offset: &[u32; LANES],
@@ -74,7 +74,7 @@ pub(super) fn store<T: Copy>(
     if full_row(segments, count) {
         if let Some(run) = to.get_mut(segments[0].offset as usize..).and_then(|r| r.first_chunk_mut::<LANES>()) {
             for i in 0..LANES {
-                run[i] = if mask[i] != 0 { from[i] } else { run[i] };
+                run[i] = T::select(mask[i], from[i], run[i]);
             }
             return;
         }
@@ -88,9 +88,9 @@ pub(super) fn store<T: Copy>(
             );
             match lanes {
                 (Some(from), Some(mask), Some(run)) if segment.row => {
+                    let (after, before) = (from_lane(piece.skip), before_lane(piece.skip + piece.len));
                     for i in 0..CHUNK {
-                        let keep = i < piece.skip || i >= piece.skip + piece.len || mask[i] == 0;
-                        run[i] = if keep { run[i] } else { from[i] };
+                        run[i] = T::select(mask[i] & after[i] & before[i], from[i], run[i]);
                     }
                 }
                 _ => {
@@ -128,7 +128,7 @@ pub(super) use {load_lanes, store_lanes};
 pub(super) fn fresh_mask(b: &mut FragmentBatch) {
     let n = b.tex.n.min(LANES) as i32;
     for i in 0..LANES {
-        b.tex.mask[i] = if (i as i32) < n { u32::MAX } else { 0 };
+        b.tex.mask[i] = ones((i as i32) < n);
     }
     b.alive = n > 0;
 }

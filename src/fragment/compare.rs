@@ -1,6 +1,7 @@
 //! The eight comparison functions of the alpha, stencil and depth tests (OpenGL 1.5, sections 4.1.4 to 4.1.6), over the
 //! lanes of a batch.
 
+use super::segments::ones;
 use crate::batch::LANES;
 use crate::enums::{
     GL_ALWAYS, GL_EQUAL, GL_GEQUAL, GL_GREATER, GL_LEQUAL, GL_LESS, GL_NEVER, GL_NOTEQUAL, GLenum, name,
@@ -61,7 +62,7 @@ pub(super) fn compare<T: Copy + PartialOrd>(func: Func, a: &[T; LANES], b: &[T; 
     #[inline(always)]
     fn each<T: Copy>(a: &[T; LANES], b: &[T; LANES], mask: &mut [u32; LANES], test: impl Fn(T, T) -> bool) {
         for i in 0..LANES {
-            mask[i] = if test(a[i], b[i]) { mask[i] } else { 0 };
+            mask[i] &= ones(test(a[i], b[i]));
         }
     }
     match func {

@@ -12,6 +12,47 @@ pub(super) const CHUNK: usize = 16;
 /// Floats of a chunk.
 pub(super) type Chunk = [f32; CHUNK];
 
+/// What stands in a lane. Selecting by bits keeps loops over lanes SIMD code: `if` on values from memory becomes a choice
+/// between two addresses, lane by lane.
+pub(super) trait Lane: Copy + Default {
+    /// `a` where the mask is all ones, `b` where it is 0.
+    fn select(mask: u32, a: Self, b: Self) -> Self;
+}
+
+impl Lane for u32 {
+    #[inline(always)]
+    fn select(mask: u32, a: Self, b: Self) -> Self {
+        (a & mask) | (b & !mask)
+    }
+}
+
+impl Lane for u8 {
+    #[inline(always)]
+    fn select(mask: u32, a: Self, b: Self) -> Self {
+        (a & mask as u8) | (b & !(mask as u8))
+    }
+}
+
+impl Lane for f32 {
+    #[inline(always)]
+    fn select(mask: u32, a: Self, b: Self) -> Self {
+        Self::from_bits(u32::select(mask, a.to_bits(), b.to_bits()))
+    }
+}
+
+impl Lane for [f32; 4] {
+    #[inline(always)]
+    fn select(mask: u32, a: Self, b: Self) -> Self {
+        std::array::from_fn(|k| f32::select(mask, a[k], b[k]))
+    }
+}
+
+/// All ones or 0.
+#[inline(always)]
+pub(super) fn ones(yes: bool) -> u32 {
+    u32::from(yes).wrapping_neg()
+}
+
 /// Part of a segment: lanes `base..base + CHUNK`, of which those from `base + skip` on are to be written.
 #[derive(Clone, Copy)]
 pub(super) struct Piece {
@@ -20,6 +61,40 @@ pub(super) struct Piece {
     /// Lanes that belong to the segment, from `base + skip` on.
     pub len: usize,
 }
+
+/// Ones, then zeros, then ones: the masks of "from lane i on" and "before lane i" are windows of it.
+static EDGE: [u32; 3 * CHUNK] = {
+    let mut edge = [u32::MAX; 3 * CHUNK];
+    let mut i = CHUNK;
+    while i < 2 * CHUNK {
+        edge[i] = 0;
+        i += 1;
+    }
+    edge
+};
+
+/// All ones from lane `i` (at most 16) on.
+#[inline(always)]
+pub(super) fn from_lane(i: usize) -> &'static [u32; CHUNK] {
+    EDGE.get((2 * CHUNK).wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
+}
+
+/// All ones before lane `i` (at most 16).
+#[inline(always)]
+pub(super) fn before_lane(i: usize) -> &'static [u32; CHUNK] {
+    EDGE.get(CHUNK.wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
+}
+
+/// 0, 1, 2, ...
+pub(super) static IOTA: [f32; LANES] = {
+    let mut iota = [0.0; LANES];
+    let mut i = 0;
+    while i < LANES {
+        iota[i] = i as f32;
+        i += 1;
+    }
+    iota
+};
 
 /// The pieces of a segment.
 #[inline(always)]
@@ -47,13 +122,14 @@ pub(super) fn chunk<T: Copy + Default>(lanes: &[T; LANES], piece: Piece) -> [T; 
 
 /// Writes the lanes of a piece.
 #[inline(always)]
-pub(super) fn put<T: Copy>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHUNK]) {
+pub(super) fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHUNK]) {
     let Some(out) = lanes.get_mut(piece.base..).and_then(|l| l.first_chunk_mut::<CHUNK>()) else { return };
     if piece.skip == 0 {
         *out = *value;
     } else {
+        let mask = from_lane(piece.skip);
         for i in 0..CHUNK {
-            out[i] = if i >= piece.skip { value[i] } else { out[i] };
+            out[i] = T::select(mask[i], value[i], out[i]);
         }
     }
 }
@@ -63,10 +139,11 @@ pub(super) fn put<T: Copy>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHU
 pub(super) fn positions(b: &FragmentBatch, segment: &Segment, planes: &Planes, piece: Piece) -> (Chunk, Chunk) {
     if segment.row {
         let (x, y) = row_origin(segment, planes);
-        let x = x.wrapping_add(piece.base as i32);
+        // Whole numbers below 2^24: the sum is exact.
+        let x = x.wrapping_add(piece.base as i32) as f32;
         let mut dx = [0.0; CHUNK];
         for i in 0..CHUNK {
-            dx[i] = x.wrapping_add(i as i32) as f32;
+            dx[i] = x + IOTA[i];
         }
         (dx, [y as f32; CHUNK])
     } else {

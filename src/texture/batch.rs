@@ -12,8 +12,6 @@ pub type Lanes = [f32; LANES];
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct TexBatch {
-    /// How many lanes are in use; stages may compute the rest, whose values are finite but mean nothing.
-    pub n: usize,
     /// All ones where the fragment is alive, 0 where it is not.
     pub mask: [u32; LANES],
     /// s/q, t/q, r/q of the unit at hand (cube maps: s, t, r up to a positive common factor). For REPEAT and
@@ -37,6 +35,9 @@ pub struct TexBatch {
     pub args: [[Lanes; 4]; 3],
     /// What the stages of a sampler hand to each other.
     pub(super) work: Work,
+    /// How many lanes are in use; stages may compute the rest, whose values mean nothing. (Last, so that all lanes are
+    /// aligned to 64 bytes.)
+    pub n: usize,
 }
 
 /// What the stages of a sampler hand to each other. Filters that blend two levels run their stages twice: arrays of two
