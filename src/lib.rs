@@ -7,6 +7,7 @@ pub mod enums;
 pub mod error;
 pub mod fragment;
 pub mod framebuffer;
+pub mod glu;
 pub mod limits;
 pub mod num;
 pub mod pixels;

@@ -5,19 +5,26 @@
 //! series on -pi/4..pi/4.
 
 use super::exp_log64::nearest;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 
+/// sqrt(3)/2.
+const HALF_SQRT_3: f64 = 0.866_025_403_784_438_6;
 /// pi/2 in three parts: the first two have at most 33 bits, so that a quadrant below 2^20 times them is exact.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_503_593_46e-11, 2.912_732_056_093_356e-20];
 
-/// The sine and cosine of `r` in -pi/4..pi/4 turned by `quadrant` right angles.
-fn turned(r: f64, quadrant: i64) -> (f64, f64) {
+/// The sine and cosine of `r` in -pi/4..pi/4.
+fn series(r: f64) -> (f64, f64) {
     let z = r * r;
     // Coefficients of the series: (-1)^k / (2k+1)! and (-1)^k / (2k)!.
     const SIN: [f64; 8] = taylor::<8>(3);
     const COS: [f64; 8] = taylor::<8>(2);
     let sin = r + r * z * SIN.iter().rev().fold(0.0, |p, c| p * z + c);
     let cos = 1.0 + z * COS.iter().rev().fold(0.0, |p, c| p * z + c);
+    (sin, cos)
+}
+
+/// A sine and a cosine turned by `quadrant` right angles.
+fn turned((sin, cos): (f64, f64), quadrant: i64) -> (f64, f64) {
     match quadrant.rem_euclid(4) {
         0 => (sin, cos),
         1 => (cos, -sin),
@@ -52,7 +59,7 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     // Beyond 2^50 a unit in the last place is a good part of a turn: the angle has no meaning left.
     let x = if x.abs() < 1_125_899_906_842_624.0 { x } else { x % (2.0 * PI) };
     let n = nearest(x / FRAC_PI_2);
-    turned(((x - n * HALF_PI[0]) - n * HALF_PI[1]) - n * HALF_PI[2], n as i64)
+    turned(series(((x - n * HALF_PI[0]) - n * HALF_PI[1]) - n * HALF_PI[2]), n as i64)
 }
 
 /// The sine of an angle in radians.
@@ -74,8 +81,8 @@ pub fn tan(x: f64) -> f64 {
     sin / cos
 }
 
-/// The sine and the cosine of an angle in degrees: exact at multiples of 90, within 3e-16 everywhere (the reduction is
-/// exact for every finite number); NaN for NaN and infinities.
+/// The sine and the cosine of an angle in degrees: 0, 1/2 and 1 exactly where they belong, sine and cosine
+/// equal at 45, within 3e-16 everywhere (the reduction is exact for every finite number); NaN for NaN and infinities.
 #[must_use]
 pub fn sin_cos_deg(degrees: f64) -> (f64, f64) {
     if !degrees.is_finite() {
@@ -84,7 +91,14 @@ pub fn sin_cos_deg(degrees: f64) -> (f64, f64) {
     // The remainder is exact by IEEE 754, whoever computes it.
     let d = degrees % 360.0;
     let n = nearest(d / 90.0);
-    turned((d - n * 90.0) * (PI / 180.0), n as i64)
+    let r = d - n * 90.0;
+    // The angles that programs write come out as people write them: a half, and equal legs.
+    let rest = match r.abs() {
+        30.0 => (0.5f64.copysign(r), HALF_SQRT_3),
+        45.0 => (FRAC_1_SQRT_2.copysign(r), FRAC_1_SQRT_2),
+        _ => series(r * (PI / 180.0)),
+    };
+    turned(rest, n as i64)
 }
 
 /// The angle in -pi/2..pi/2 whose tangent is `x`, within 3e-16.
@@ -148,6 +162,12 @@ mod tests {
             assert_eq!(Some(&sin_cos_deg(f64::from(n) * 90.0)), want.get(n.rem_euclid(4) as usize));
         }
         assert_eq!(sin_cos_deg(360.0 * 2f64.powi(80)), (0.0, 1.0));
+        for (d, sin, cos) in [(30.0, 0.5, HALF_SQRT_3), (60.0, HALF_SQRT_3, 0.5), (-210.0, 0.5, -HALF_SQRT_3)] {
+            assert_eq!(sin_cos_deg(d), (sin, cos));
+            assert!((sin_cos(d.to_radians()).0 - sin).abs() < 3e-16 && (sin_cos(d.to_radians()).1 - cos).abs() < 3e-16);
+        }
+        assert_eq!(sin_cos_deg(405.0), (FRAC_1_SQRT_2, FRAC_1_SQRT_2));
+        assert_eq!(sin_cos_deg(-45.0), (-FRAC_1_SQRT_2, FRAC_1_SQRT_2));
         assert!(sin_cos_deg(f64::INFINITY).0.is_nan());
     }
 

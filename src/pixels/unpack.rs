@@ -157,7 +157,7 @@ impl<'a> ClientImage<'a> {
     }
 
     /// The components of colour groups before transfer, expanded to R, G, B, A.
-    fn components(&self, at: [usize; 3], out: &mut [[f32; 4]]) {
+    pub fn components(&self, at: [usize; 3], out: &mut [[f32; 4]]) {
         let (groups, swap, channels) = (self.groups(at), self.swap, self.pixel.format.channels());
         out.fill([0.0, 0.0, 0.0, 1.0]);
         match self.pixel.type_ {

@@ -1,0 +1,59 @@
+//! GLU's words: error strings, its version, the search for an extension (GLU 1.3, chapters 2 and 8).
+
+use super::constants::*;
+use crate::enums::*;
+
+/// An error code of GL or GLU in words, `None` for a number that is neither.
+#[must_use]
+pub fn error_string(error: GLenum) -> Option<&'static str> {
+    Some(match error {
+        GL_NO_ERROR => "no error",
+        GL_INVALID_ENUM | GLU_INVALID_ENUM => "invalid enumerant",
+        GL_INVALID_VALUE | GLU_INVALID_VALUE => "invalid value",
+        GL_INVALID_OPERATION | GLU_INVALID_OPERATION => "invalid operation",
+        GL_STACK_OVERFLOW => "stack overflow",
+        GL_STACK_UNDERFLOW => "stack underflow",
+        GL_OUT_OF_MEMORY | GLU_OUT_OF_MEMORY => "out of memory",
+        GL_TABLE_TOO_LARGE => "table too large",
+        GLU_INCOMPATIBLE_GL_VERSION => "incompatible gl version",
+        _ => return None,
+    })
+}
+
+/// GLU's version (`GLU_VERSION`) or its extensions (`GLU_EXTENSIONS`, none), `None` for another name.
+#[must_use]
+pub fn get_string(name: GLenum) -> Option<&'static str> {
+    match name {
+        GLU_VERSION => Some("1.3"),
+        GLU_EXTENSIONS => Some(""),
+        _ => None,
+    }
+}
+
+/// Whether the list `extensions` (names between blanks) has `name` as a whole word.
+#[must_use]
+pub fn check_extension(name: &str, extensions: &str) -> bool {
+    !name.is_empty() && extensions.split_ascii_whitespace().any(|e| e == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_for_codes() {
+        assert_eq!(error_string(GL_NO_ERROR), Some("no error"));
+        assert_eq!(error_string(GL_STACK_UNDERFLOW), Some("stack underflow"));
+        assert_eq!(error_string(GLU_INVALID_VALUE), Some("invalid value"));
+        assert_eq!(error_string(1), None);
+        assert_eq!(get_string(GLU_VERSION), Some("1.3"));
+        assert_eq!(get_string(GL_VERSION), None);
+    }
+
+    #[test]
+    fn extensions_are_whole_words() {
+        assert!(check_extension("GL_A", "GL_AB GL_A"));
+        assert!(!check_extension("GL_A", "GL_AB"));
+        assert!(!check_extension("", "GL_AB"));
+    }
+}
