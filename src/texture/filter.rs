@@ -74,7 +74,7 @@ pub(super) fn offsets<const DIMS: usize>(work: &Work, origin: u32, stride: u32, 
 /// The image that a lane reads in a pass where lanes differ.
 #[inline(always)]
 pub(super) fn lane_image<'a>(u: &'a UnitUniforms, work: &Work, pass: usize, i: usize) -> Option<&'a MipLevel> {
-    u.images.get(work.face[i] as usize * u.levels + work.level[pass][i] as usize)
+    u.images.get(work.face[i] as usize * u.face_step + work.level[pass][i] as usize)
 }
 
 /// Index of a lane's first texel in its own image.
@@ -133,23 +133,23 @@ fn fetch<const DIMS: usize, const ROWS: usize>(
     out
 }
 
-/// Writes the channels that `value(c)` gives for a lane, as the format expands them.
+/// Writes the channels that `value(c)` gives for a lane, times `k`, as the format expands them; `one` is a full channel.
 #[inline(always)]
-fn put<const FORMAT: u8>(out: &mut [Lanes; 4], i: usize, k: f32, value: impl Fn(u32) -> f32) {
+fn put<const FORMAT: u8>(out: &mut [Lanes; 4], i: usize, k: f32, one: f32, value: impl Fn(u32) -> f32) {
     let [r, g, b, a] = out;
     match FORMAT {
         RGBA | RGB => {
             r[i] = value(0) * k;
             g[i] = value(1) * k;
             b[i] = value(2) * k;
-            a[i] = if FORMAT == RGB { 255.0 * k } else { value(3) * k };
+            a[i] = if FORMAT == RGB { one * k } else { value(3) * k };
         }
         LUMINANCE | LUMINANCE_ALPHA => {
             let l = value(0) * k;
             r[i] = l;
             g[i] = l;
             b[i] = l;
-            a[i] = if FORMAT == LUMINANCE { 255.0 * k } else { value(3) * k };
+            a[i] = if FORMAT == LUMINANCE { one * k } else { value(3) * k };
         }
         INTENSITY => {
             let v = value(0) * k;
@@ -169,16 +169,17 @@ fn put<const FORMAT: u8>(out: &mut [Lanes; 4], i: usize, k: f32, value: impl Fn(
 
 /// Where a stage's colour goes, and its factor.
 #[inline(always)]
-fn destination<'a>(
+pub(super) fn destination<'a>(
     texel: &'a mut [[Lanes; 4]],
     color: &'a mut [[Lanes; 4]; 2],
     unit: usize,
     arg: u32,
+    k: f32,
 ) -> Option<(&'a mut [Lanes; 4], f32)> {
     if arg & PARTIAL != 0 {
         color.get_mut(usize::from(arg & SECOND != 0)).map(|out| (out, 1.0))
     } else {
-        texel.get_mut(unit).map(|out| (out, INV_255))
+        texel.get_mut(unit).map(|out| (out, k))
     }
 }
 
@@ -191,10 +192,10 @@ fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut
     let rows = fetch::<DIMS, ROWS>(&b.work, b.n, u, pass);
     let TexBatch { texel, work, .. } = b;
     let Work { weight: [ws, wt, wr], color, .. } = work;
-    let Some((out, k)) = destination(texel, color, u.unit, arg) else { return };
+    let Some((out, k)) = destination(texel, color, u.unit, arg, INV_255) else { return };
     for i in 0..LANES {
         let across = |r: usize, c: u32| lerp(byte(rows[r][i] as u32, c), byte((rows[r][i] >> 32) as u32, c), ws[i]);
-        put::<FORMAT>(out, i, k, |c| match ROWS {
+        put::<FORMAT>(out, i, k, 255.0, |c| match ROWS {
             1 => across(0, c),
             2 => lerp(across(0, c), across(1, c), wt[i]),
             _ => lerp(lerp(across(0, c), across(1, c), wt[i]), lerp(across(2, c), across(3, c), wt[i]), wr[i]),
@@ -224,9 +225,9 @@ fn sample_nearest<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u3
             found[i] = texels(image).get(lane_offset::<DIMS>(work, image, i)).copied().unwrap_or(0);
         }
     }
-    let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg) else { return };
+    let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg, INV_255) else { return };
     for i in 0..LANES {
-        put::<RGBA>(out, i, k, |c| byte(found[i], c));
+        put::<RGBA>(out, i, k, 255.0, |c| byte(found[i], c));
     }
 }
 

@@ -1,14 +1,18 @@
 //! Texturing (OpenGL 1.5, section 3.8): the images of textures and what turns texture coordinates into colours.
 
 pub mod address;
+pub mod anisotropy;
 pub mod batch;
 pub mod combine;
+pub mod cube;
 pub mod env;
 pub mod filter;
+pub mod filter_float;
 pub mod format;
 pub mod image;
 #[cfg(test)]
 mod image_tests;
+pub mod lod;
 pub mod mipmap;
 pub mod object;
 pub mod pads;
@@ -16,5 +20,6 @@ pub mod readback;
 pub mod s3tc;
 mod s3tc_encode;
 pub mod sampler;
+pub mod shadow;
 pub mod uniforms;
 pub mod upload;

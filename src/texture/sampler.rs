@@ -3,15 +3,15 @@
 //! of detail where the level cannot differ, no filter for channels that the format does not have.
 
 use super::batch::TexBatch;
-use super::format::BaseFormat;
+use super::format::{BaseFormat, Storage};
 use super::object::TextureObject;
 use super::pads::PadKey;
 use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
-use super::{address, filter};
-use crate::batch::{Level, Plan};
+use super::{address, anisotropy, cube, filter, filter_float, lod, shadow};
+use crate::batch::{Level, Plan, Stage, Step};
 use crate::enums::*;
 use crate::error::Outcome;
-use crate::state::texture::Target;
+use crate::state::texture::{Target, TexParameters};
 use std::sync::Arc;
 
 /// What a sampler wants to be given.
@@ -69,6 +69,52 @@ pub fn dimensions(target: Target) -> usize {
     }
 }
 
+/// What the limits of lambda leave to be decided fragment by fragment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Lod {
+    /// Nothing: every fragment reads the base level, with the filter that this says is LINEAR or not.
+    Base { linear: bool },
+    /// Every fragment has this lambda, and none is magnified with another filter.
+    Constant { lambda: f32, linear: bool },
+    /// Lambda decides. `mixed`: magnified and minified fragments differ in LINEAR and NEAREST within a level; if not,
+    /// `linear` says which all of them use.
+    Varies { mixed: bool, linear: bool },
+}
+
+/// Whether a filter is linear within a level.
+fn is_linear(filter: GLenum) -> bool {
+    matches!(filter, GL_LINEAR | GL_LINEAR_MIPMAP_NEAREST | GL_LINEAR_MIPMAP_LINEAR)
+}
+
+/// Whether a filter blends two levels.
+fn blends_levels(filter: GLenum) -> bool {
+    matches!(filter, GL_NEAREST_MIPMAP_LINEAR | GL_LINEAR_MIPMAP_LINEAR)
+}
+
+impl Lod {
+    /// Decides from the filters and the limits of lambda: exact conditions only, none that is nearly true.
+    fn of(p: &TexParameters, u: &UnitUniforms) -> Self {
+        let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
+        let (least, greatest) = (u.min_lod, if u.max_lod > u.min_lod { u.max_lod } else { u.min_lod });
+        if greatest <= u.magnify_below {
+            return Lod::Base { linear: mag };
+        }
+        let mixed = mag != min && !(least > u.magnify_below);
+        if u.last == 0.0 || !is_mipmap_filter(p.min_filter) {
+            return if mixed { Lod::Varies { mixed, linear: min } } else { Lod::Base { linear: min } };
+        }
+        if !mixed {
+            if greatest <= 0.0 || (!blends_levels(p.min_filter) && greatest <= 0.5) {
+                return Lod::Base { linear: min };
+            }
+            if least >= u.last || least == greatest {
+                return Lod::Constant { lambda: least, linear: min };
+            }
+        }
+        Lod::Varies { mixed, linear: min }
+    }
+}
+
 impl Sampler {
     /// The sampler of a complete texture object whose rings are filled ([`prepare`]), for a unit with this LOD bias.
     #[must_use]
@@ -76,34 +122,171 @@ impl Sampler {
         let p = &object.parameters;
         let uniforms = UnitUniforms::new(object, unit_bias, unit);
         let dims = dimensions(object.target);
-        let format = uniforms.images.first().map_or(BaseFormat::Rgba, |image| image.image.base);
-        let mut plan = Plan::new(level);
-        let _ = is_mipmap_filter(p.min_filter);
-        for (c, &wrap) in p.wrap.iter().enumerate().take(dims) {
-            let (linear, nearest) = address::stages(wrap);
-            plan.push(if p.mag_filter == GL_LINEAR { linear } else { nearest }, c as u32);
+        let lod = Lod::of(p, &uniforms);
+        let image = uniforms.images.first().map(|image| Arc::clone(&image.image));
+        let format = image.as_ref().map_or(BaseFormat::Rgba, |image| image.base);
+        let depth = format == BaseFormat::Depth;
+        let compare = depth && p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
+        let cube = object.target == Target::Cube;
+        let derivatives = matches!(lod, Lod::Varies { .. });
+        let base = if depth { shadow::base_format(p.depth_mode) } else { format };
+
+        let mut builder = Builder { plan: Plan::new(level), wraps: p.wrap, dims, cube, compare, base, storage: None };
+        builder.storage = image.map(|image| image.format.storage);
+        if cube {
+            builder.push(if derivatives { &cube::CUBE_FACE_DERIVATIVES } else { &cube::CUBE_FACE }, 0);
         }
-        plan.push(if p.mag_filter == GL_LINEAR { filter::linear(dims, format) } else { filter::nearest(dims) }, 0);
+        let mut taps = None;
+        match lod {
+            Lod::Base { linear } => {
+                if cube {
+                    builder.push(&lod::LEVEL_BASE, lod::CUBE);
+                }
+                builder.pass(linear, false, 0);
+            }
+            Lod::Constant { lambda, linear } => {
+                builder.push(&lod::LAMBDA_CONSTANT, lambda.to_bits());
+                builder.levels(p.min_filter, linear, false);
+            }
+            Lod::Varies { mixed, linear } => {
+                let anisotropic = uniforms.max_taps > 1.0 && uniforms.last > 0.0 && linear;
+                builder.push(if anisotropic { anisotropy::footprint_stage(dims) } else { lod::lambda_stage(dims) }, 0);
+                if mixed {
+                    builder.push(&lod::MAGNIFY, 0);
+                }
+                if anisotropic {
+                    if mixed {
+                        builder.push(&anisotropy::NEAREST_ONE_TAP, 0);
+                    }
+                    builder.push(&anisotropy::COUNT_TAPS, 0);
+                    taps = Some(builder.taps(p.min_filter, mixed));
+                } else if uniforms.last > 0.0 {
+                    builder.levels(p.min_filter, linear, mixed);
+                } else {
+                    if cube {
+                        builder.push(&lod::LEVEL_BASE, lod::CUBE);
+                    }
+                    builder.pass(linear, mixed, 0);
+                }
+            }
+        }
         let size = uniforms.size;
         let needs = Needs {
-            coordinates: dims,
-            derivatives: false,
-            cube: false,
-            period: std::array::from_fn(|c| if c < dims { address::period(p.wrap[c]) } else { 0 }),
-            size: std::array::from_fn(|c| if c < dims { size[c] as u32 } else { 1 }),
+            coordinates: if cube || compare { 3 } else { dims },
+            derivatives,
+            cube,
+            period: std::array::from_fn(|c| if c < dims && !cube { address::period(p.wrap[c]) } else { 0 }),
+            size: std::array::from_fn(|c| match (cube, uniforms.unnormalised) {
+                (true, _) => size[0] as u32,
+                (_, false) if c < dims => size[c] as u32,
+                _ => 1,
+            }),
         };
-        Self { plan, uniforms, needs, base: format, taps: None }
+        Self { plan: builder.plan, uniforms, needs, base, taps }
     }
 
     /// Samples all lanes of a batch: reads coordinates and derivatives, writes the texel of the unit.
     pub fn run(&self, batch: &mut TexBatch) {
         batch.work.same = [Some(0); 2];
         batch.work.two_levels = false;
-        for step in &self.plan.steps {
+        let steps = &self.plan.steps;
+        let Some((start, end)) = self.taps else { return self.run_steps(batch, steps) };
+        let (before, rest) = steps.split_at(start.min(steps.len()));
+        let (each, after) = rest.split_at((end.saturating_sub(start)).min(rest.len()));
+        batch.work.taps = 1;
+        self.run_steps(batch, before);
+        for tap in 1..=batch.work.taps {
+            batch.work.tap = tap;
+            self.run_steps(batch, each);
+        }
+        self.run_steps(batch, after);
+    }
+
+    fn run_steps(&self, batch: &mut TexBatch, steps: &[Step<TexFn>]) {
+        for step in steps {
             #[expect(unsafe_code, reason = "a plan is made for a level that the processor has")]
             unsafe {
                 (step.run)(batch, &self.uniforms, step.arg);
             }
         }
+    }
+}
+
+/// A plan being built.
+struct Builder {
+    plan: Plan<TexFn>,
+    wraps: [GLenum; 3],
+    dims: usize,
+    cube: bool,
+    compare: bool,
+    base: BaseFormat,
+    storage: Option<Storage>,
+}
+
+impl Builder {
+    fn push(&mut self, stage: &'static Stage<TexFn>, arg: u32) {
+        self.plan.push(stage, arg);
+    }
+
+    /// Wraps and filters one image: `flags` are SECOND and PARTIAL. `mixed`: every lane filters linearly, but for lanes
+    /// that are marked the nearest texel has all the weight.
+    fn pass(&mut self, linear: bool, mixed: bool, flags: u32) {
+        let linear = linear || mixed;
+        for c in 0..self.dims {
+            let (two, one) = address::stages(self.wraps[c]);
+            let arg = c as u32 | flags & address::SECOND;
+            self.push(if linear { two } else { one }, arg);
+            if mixed {
+                self.push(one, arg | address::MERGE);
+            }
+        }
+        let stage = match self.storage {
+            Some(Storage::Float) => filter_float::stage(self.dims, linear),
+            Some(Storage::Depth) => shadow::stage(self.dims, linear, self.compare),
+            _ if linear => filter::linear(self.dims, self.base),
+            _ => filter::nearest(self.dims),
+        };
+        self.push(stage, flags | shadow::mode(self.base));
+    }
+
+    /// The factor from texels to 0..1, as bits.
+    fn unit_factor(&self) -> u32 {
+        match self.storage {
+            Some(Storage::Float | Storage::Depth) => 1.0f32.to_bits(),
+            _ => filter::INV_255.to_bits(),
+        }
+    }
+
+    fn level(&mut self, filter: GLenum) {
+        let stage = if blends_levels(filter) { &lod::LEVEL_LINEAR } else { &lod::LEVEL_NEAREST };
+        self.push(stage, if self.cube { lod::CUBE } else { 0 });
+    }
+
+    /// Chooses the levels by lambda and filters them.
+    fn levels(&mut self, filter: GLenum, linear: bool, mixed: bool) {
+        self.level(filter);
+        if blends_levels(filter) {
+            self.pass(linear, mixed, filter::PARTIAL);
+            self.pass(linear, mixed, filter::PARTIAL | filter::SECOND);
+            self.push(&lod::MIX_LEVELS, self.unit_factor());
+        } else {
+            self.pass(linear, mixed, 0);
+        }
+    }
+
+    /// The same for each tap of an anisotropic filter: where in the plan the taps start and end.
+    fn taps(&mut self, filter: GLenum, mixed: bool) -> (usize, usize) {
+        self.level(filter);
+        let start = self.plan.steps.len();
+        self.push(&anisotropy::TAP, self.dims as u32);
+        self.pass(true, mixed, filter::PARTIAL);
+        if blends_levels(filter) {
+            self.pass(true, mixed, filter::PARTIAL | filter::SECOND);
+        }
+        self.push(&anisotropy::ADD_TAP, 0);
+        let end = self.plan.steps.len();
+        self.push(&anisotropy::MEAN_OF_TAPS, 0);
+        self.push(&lod::MIX_LEVELS, self.unit_factor());
+        (start, end)
     }
 }

@@ -50,6 +50,8 @@ pub struct UnitUniforms {
     pub images: Vec<MipLevel>,
     /// How many levels a face has here: 1 where the filter uses no mipmaps.
     pub levels: usize,
+    /// How many images further the next face starts: 0 for textures that have no faces.
+    pub face_step: usize,
     /// Size of the base level; lambda is measured in its texels.
     pub size: [f32; 3],
     /// Texels per unit of the coordinate at the base level: `size`, or 1 for rectangles.
@@ -122,6 +124,7 @@ impl UnitUniforms {
             unit,
             images,
             levels: last - base + 1,
+            face_step: if object.faces.len() > 1 { last - base + 1 } else { 0 },
             size,
             scale: if unnormalised { [1.0; 3] } else { size },
             unnormalised,

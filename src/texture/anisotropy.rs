@@ -1,0 +1,136 @@
+//! Anisotropic filtering (EXT_texture_filter_anisotropic), by the method that the extension gives as its example.
+//!
+//! ```text
+//!   Px, Py          lengths in texels of what a pixel spans in x and in y
+//!   N               the least whole number not below Pmax / Pmin, at most MAX_ANISOTROPY
+//!   lambda          log2(Pmax / N) + bias
+//!   color           mean of N samples along the longer of the two, at i/(N+1) - 1/2 of it, i = 1..N
+//! ```
+//!
+//! N is each lane's own. The taps of a batch are run as often as its widest lane needs; a lane that has had its N keeps its
+//! sum. With N = 1 the one tap is the centre and lambda that of the isotropic filter, bit for bit. A ratio is allowed 2^-10
+//! above a whole number before it counts as more, so that rounding does not turn a square footprint into N = 2.
+
+use super::batch::{TexBatch, Work};
+use super::lod::{lambda, spans};
+use super::uniforms::{TexFn, UnitUniforms};
+use crate::batch::{LANES, Stage, stage};
+use crate::num::{clamp_f32, floor_f32, max_f32, min_f32};
+
+#[inline(always)]
+fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
+    for i in 0..LANES {
+        let (x, y) = spans::<DIMS>(b, u, i);
+        let along_x = x > y;
+        let (long, short) = (max_f32(x, y), min_f32(x, y));
+        // 0 / 0 has no ratio: one tap. What is over 0 has the greatest.
+        let ratio = clamp_f32((long / short).sqrt() - 0.000_976_562_5, 1.0, u.max_taps);
+        let taps = -floor_f32(-ratio);
+        b.work.lane_taps[i] = taps;
+        b.work.tap_step[i] = 1.0 / (taps + 1.0);
+        b.lambda[i] = lambda(long / (taps * taps), u);
+        for c in 0..DIMS {
+            b.work.axis[c][i] = if along_x { b.ddx[c][i] } else { b.ddy[c][i] };
+        }
+    }
+    b.work.center = b.coord;
+}
+
+/// Sets how many taps the batch needs: the most that a live lane has.
+#[inline(always)]
+fn count(b: &mut TexBatch) {
+    let mut most = 1;
+    for i in 0..LANES {
+        let live = if (i as u32) < b.n as u32 { b.mask[i] } else { 0 };
+        let taps = crate::num::round_to_int(b.work.lane_taps[i]) as u32 & live;
+        most = if taps > most { taps } else { most };
+    }
+    b.work.taps = most;
+}
+
+stage! {
+    /// Taps, axis and lambda of a 1D texture.
+    pub fn FOOTPRINT_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        footprint::<1>(b, u);
+    }
+    /// Taps, axis and lambda of a 2D texture or a cube face.
+    pub fn FOOTPRINT_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        footprint::<2>(b, u);
+    }
+    /// Taps, axis and lambda of a 3D texture.
+    pub fn FOOTPRINT_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        footprint::<3>(b, u);
+    }
+    /// Lanes that read the nearest texel have one tap.
+    pub fn NEAREST_ONE_TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+        for i in 0..LANES {
+            if b.work.nearest[i] != 0 {
+                b.work.lane_taps[i] = 1.0;
+                b.work.tap_step[i] = 0.5;
+            }
+        }
+    }
+    /// How often the taps of this batch are run.
+    pub fn COUNT_TAPS: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+        count(b);
+    }
+    /// The coordinates of the tap at work; the argument says how many.
+    pub fn TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, arg: u32) {
+        if b.work.taps == 1 {
+            return;
+        }
+        let TexBatch { coord, work: Work { center, axis, tap_step, tap, .. }, .. } = b;
+        let tap = *tap as f32;
+        for c in 0..(arg as usize).min(3) {
+            for i in 0..LANES {
+                let offset = tap * tap_step[i] - 0.5;
+                let moved = center[c][i] + offset * axis[c][i];
+                coord[c][i] = if offset == 0.0 { center[c][i] } else { moved };
+            }
+        }
+    }
+    /// Adds the colours of the tap to the sums of the lanes that have it.
+    pub fn ADD_TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+        let w = &mut b.work;
+        if w.taps == 1 {
+            return;
+        }
+        let tap = w.tap as f32;
+        for pass in 0..if w.two_levels { 2 } else { 1 } {
+            for c in 0..4 {
+                let (sum, color) = (&mut w.sum[pass][c], &w.color[pass][c]);
+                if w.tap == 1 {
+                    *sum = *color;
+                    continue;
+                }
+                for i in 0..LANES {
+                    sum[i] = if tap <= w.lane_taps[i] { sum[i] + color[i] } else { sum[i] };
+                }
+            }
+        }
+    }
+    /// The mean of the taps.
+    pub fn MEAN_OF_TAPS: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+        let w = &mut b.work;
+        if w.taps == 1 {
+            return;
+        }
+        for pass in 0..if w.two_levels { 2 } else { 1 } {
+            for c in 0..4 {
+                for i in 0..LANES {
+                    w.color[pass][c][i] = w.sum[pass][c][i] / w.lane_taps[i];
+                }
+            }
+        }
+    }
+}
+
+/// The stage that finds the taps for this many coordinates.
+#[must_use]
+pub fn footprint_stage(dims: usize) -> &'static Stage<TexFn> {
+    match dims {
+        1 => &FOOTPRINT_1D,
+        2 => &FOOTPRINT_2D,
+        _ => &FOOTPRINT_3D,
+    }
+}

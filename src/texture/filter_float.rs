@@ -1,0 +1,136 @@
+//! NEAREST and LINEAR of texels kept as floats (OpenGL 1.5, sections 3.8.8 and 3.8.9): the formats with more than eight
+//! bits a component. The same nested a + t (b - a) as for 8-bit texels, four channels of a lane at a time, since that is
+//! how these texels lie in memory.
+
+use super::batch::{Lanes, TexBatch, Work};
+use super::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
+use super::image::Texels;
+use super::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::batch::{LANES, Stage, stage};
+
+/// A texel.
+type Texel = [f32; 4];
+
+#[inline(always)]
+fn texels(image: &MipLevel) -> &[Texel] {
+    match &image.image.texels {
+        Texels::Float(texels) => texels,
+        _ => &[],
+    }
+}
+
+/// Two neighbours in each of the `ROWS` rows that a filter reads: row j, row j+1, then those of slice k+1.
+#[inline(always)]
+pub(super) fn neighbours<T: Copy + Default, const ROWS: usize>(
+    texels: &[T],
+    o: usize,
+    stride: usize,
+    slice: usize,
+) -> [[T; 2]; ROWS] {
+    let row = |r: usize| (r & 1) * stride + (r >> 1) * slice;
+    match texels.get(o..o + row(ROWS - 1) + 2) {
+        Some(t) => std::array::from_fn(|r| [t[row(r)], t[row(r) + 1]]),
+        None => [[T::default(); 2]; ROWS],
+    }
+}
+
+/// Runs `f(lane, image, index of its first texel)` over the lanes in use.
+#[inline(always)]
+pub(super) fn each_lane<const DIMS: usize>(
+    w: &Work,
+    n: usize,
+    u: &UnitUniforms,
+    pass: usize,
+    mut f: impl FnMut(usize, &MipLevel, usize),
+) {
+    let n = n.min(LANES);
+    if let Some(same) = w.same[pass] {
+        let Some(image) = u.images.get(same) else { return };
+        let at = offsets::<DIMS>(w, image.origin, image.stride, image.slice);
+        for i in 0..n {
+            f(i, image, at[i] as usize);
+        }
+    } else {
+        for i in 0..n {
+            let Some(image) = lane_image(u, w, pass, i) else { continue };
+            f(i, image, lane_offset::<DIMS>(w, image, i));
+        }
+    }
+}
+
+#[inline(always)]
+fn mix(a: Texel, b: Texel, t: f32) -> Texel {
+    std::array::from_fn(|c| lerp(a[c], b[c], t))
+}
+
+#[inline(always)]
+fn sample<const DIMS: usize, const ROWS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, linear: bool) {
+    let pass = usize::from(arg & SECOND != 0);
+    if pass == 1 && !b.work.two_levels {
+        return;
+    }
+    let n = b.n;
+    let TexBatch { texel, work, .. } = b;
+    let mut colors = [[0.0; LANES]; 4];
+    let [ws, wt, wr] = &work.weight;
+    each_lane::<DIMS>(work, n, u, pass, |i, image, at| {
+        let color = if linear {
+            let rows = neighbours::<Texel, ROWS>(texels(image), at, image.stride as usize, image.slice as usize);
+            let across = |r: usize| mix(rows[r][0], rows[r][1], ws[i]);
+            match ROWS {
+                1 => across(0),
+                2 => mix(across(0), across(1), wt[i]),
+                _ => mix(mix(across(0), across(1), wt[i]), mix(across(2), across(3), wt[i]), wr[i]),
+            }
+        } else {
+            texels(image).get(at).copied().unwrap_or_default()
+        };
+        for c in 0..4 {
+            colors[c][i] = color[c];
+        }
+    });
+    let out: Option<(&mut [Lanes; 4], f32)> = destination(texel, &mut work.color, u.unit, arg, 1.0);
+    if let Some((out, _)) = out {
+        *out = colors;
+    }
+}
+
+stage! {
+    /// The nearest float texel of a 1D image.
+    pub fn NEAREST_1D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<1, 1>(b, u, arg, false);
+    }
+    /// The nearest float texel of a 2D image.
+    pub fn NEAREST_2D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<2, 2>(b, u, arg, false);
+    }
+    /// The nearest float texel of a 3D image.
+    pub fn NEAREST_3D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<3, 4>(b, u, arg, false);
+    }
+    /// Two float texels of a 1D image.
+    pub fn LINEAR_1D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<1, 1>(b, u, arg, true);
+    }
+    /// Four float texels of a 2D image.
+    pub fn BILINEAR_2D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<2, 2>(b, u, arg, true);
+    }
+    /// Eight float texels of a 3D image.
+    pub fn TRILINEAR_3D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<3, 4>(b, u, arg, true);
+    }
+}
+
+/// The stage for this many dimensions.
+#[must_use]
+pub fn stage(dims: usize, linear: bool) -> &'static Stage<TexFn> {
+    match (dims, linear) {
+        (1, false) => &NEAREST_1D_FLOAT,
+        (2, false) => &NEAREST_2D_FLOAT,
+        (_, false) => &NEAREST_3D_FLOAT,
+        (1, true) => &LINEAR_1D_FLOAT,
+        (2, true) => &BILINEAR_2D_FLOAT,
+        (_, true) => &TRILINEAR_3D_FLOAT,
+    }
+}

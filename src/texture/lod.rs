@@ -1,0 +1,165 @@
+//! Level of detail (OpenGL 1.5, section 3.8.8, equations 3.17 to 3.22): how many texels of the base level a pixel spans, as
+//! a logarithm, and which levels follow from it.
+//!
+//! ```text
+//!   rho^2  = max(ux^2 + vx^2 + wx^2, uy^2 + vy^2 + wy^2)     ux = width * ds/dx and so on: the ideal formula, no estimate
+//!   lambda = log2(rho^2) / 2 + bias, limited to MIN_LOD..MAX_LOD
+//!   lambda <= c: magnified
+//!   *_MIPMAP_NEAREST: level ceil(lambda - 1/2), a tie goes to the finer level; limited to 0..q
+//!   *_MIPMAP_LINEAR: levels floor(lambda) and the next, weight frac(lambda); lambda limited to 0..q first
+//! ```
+//!
+//! Levels count from the base level here. Derivatives are those of the primitive's planes at the fragment itself, so every
+//! fragment has its own lambda. What is no number ends as MIN_LOD.
+
+use super::batch::TexBatch;
+use super::uniforms::{TexFn, UnitUniforms};
+use crate::batch::{LANES, Stage, stage};
+use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
+
+/// In the argument of a level stage: the images are those of a cube map, by face and level.
+pub const CUBE: u32 = 1;
+
+/// Lambda of a squared rho, biased and limited. Where MIN_LOD is above MAX_LOD, MIN_LOD counts.
+#[inline(always)]
+pub(super) fn lambda(rho2: f32, u: &UnitUniforms) -> f32 {
+    max_f32(min_f32(0.5 * log2_f32(rho2) + u.bias, u.max_lod), u.min_lod)
+}
+
+/// Squared lengths, in texels, of what a pixel spans in x and in y.
+#[inline(always)]
+pub(super) fn spans<const DIMS: usize>(b: &TexBatch, u: &UnitUniforms, i: usize) -> (f32, f32) {
+    let along = |d: &[super::batch::Lanes; 3]| {
+        let mut sum = 0.0;
+        for c in 0..DIMS {
+            let texels = d[c][i] * u.scale[c];
+            sum = if c == 0 { texels * texels } else { sum + texels * texels };
+        }
+        sum
+    };
+    (along(&b.ddx), along(&b.ddy))
+}
+
+#[inline(always)]
+fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
+    for i in 0..LANES {
+        let (x, y) = spans::<DIMS>(b, u, i);
+        b.lambda[i] = lambda(max_f32(x, y), u);
+    }
+}
+
+/// Whether all live lanes have the same value, and a live lane's value.
+#[inline(always)]
+fn uniform(n: usize, mask: &[u32; LANES], values: &[u32; LANES]) -> Option<u32> {
+    let live = |i: usize| if i < n { mask[i] } else { 0 };
+    let first = (0..LANES).find(|&i| live(i) != 0).map_or(values[0], |i| values[i]);
+    let mut differs = 0;
+    for i in 0..LANES {
+        let live = if (i as u32) < n as u32 { mask[i] } else { 0 };
+        differs |= (values[i] ^ first) & live;
+    }
+    (differs == 0).then_some(first)
+}
+
+/// Sets what the passes read: one image for all live lanes, where they agree.
+#[inline(always)]
+fn set_same(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    let n = b.n;
+    let mask = &b.mask;
+    let w = &mut b.work;
+    let face = if arg & CUBE == 0 { Some(0) } else { uniform(n, mask, &w.face) };
+    for pass in 0..if w.two_levels { 2 } else { 1 } {
+        let level = face.and_then(|_| uniform(n, mask, &w.level[pass]));
+        w.same[pass] = match (face, level) {
+            (Some(face), Some(level)) => Some(face as usize * u.face_step + level as usize),
+            _ => None,
+        };
+    }
+}
+
+stage! {
+    /// Lambda of a 1D texture.
+    pub fn LAMBDA_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        lambdas::<1>(b, u);
+    }
+    /// Lambda of a 2D texture or a cube face.
+    pub fn LAMBDA_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        lambdas::<2>(b, u);
+    }
+    /// Lambda of a 3D texture.
+    pub fn LAMBDA_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        lambdas::<3>(b, u);
+    }
+    /// A lambda that its limits make the same everywhere: the bits of the argument.
+    pub fn LAMBDA_CONSTANT: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, arg: u32) {
+        b.lambda = [f32::from_bits(arg); LANES];
+    }
+    /// Marks the lanes that read the nearest texel while others filter, by magnification or minification. A magnified
+    /// lane reads the base level only.
+    pub fn MAGNIFY: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        let flip = if u.magnify_nearest { 0 } else { u32::MAX };
+        for i in 0..LANES {
+            let magnified = if b.lambda[i] <= u.magnify_below { u32::MAX } else { 0 };
+            b.work.nearest[i] = magnified ^ flip;
+            b.lambda[i] = if magnified != 0 { min_f32(b.lambda[i], 0.0) } else { b.lambda[i] };
+        }
+    }
+    /// The level of *_MIPMAP_NEAREST.
+    pub fn LEVEL_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        for i in 0..LANES {
+            let up = -floor_f32(-clamp_f32(b.lambda[i] - 0.5, 0.0, u.last));
+            b.work.level[0][i] = round_to_int(up) as u32;
+        }
+        b.work.two_levels = false;
+        set_same(b, u, arg);
+    }
+    /// The two levels of *_MIPMAP_LINEAR and the weight of the second.
+    pub fn LEVEL_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        let mut weights = 0;
+        for i in 0..LANES {
+            let l = clamp_f32(b.lambda[i], 0.0, u.last);
+            let d = floor_f32(l);
+            let live = if (i as u32) < b.n as u32 { b.mask[i] } else { 0 };
+            b.work.level[0][i] = round_to_int(d) as u32;
+            b.work.level[1][i] = round_to_int(min_f32(d + 1.0, u.last)) as u32;
+            b.work.fraction[i] = l - d;
+            weights |= (l - d).to_bits() & live;
+        }
+        b.work.two_levels = weights != 0;
+        set_same(b, u, arg);
+    }
+    /// The base level of each lane's face.
+    pub fn LEVEL_BASE: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        b.work.level[0] = [0; LANES];
+        b.work.two_levels = false;
+        set_same(b, u, arg);
+    }
+    /// Blends the colours of two levels and brings them to 0..1.
+    pub fn MIX_LEVELS: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        let k = f32::from_bits(arg);
+        let Some(texel) = b.texel.get_mut(u.unit) else { return };
+        let w = &b.work;
+        for c in 0..4 {
+            let (out, near, far) = (&mut texel[c], &w.color[0][c], &w.color[1][c]);
+            if w.two_levels {
+                for i in 0..LANES {
+                    out[i] = super::filter::lerp(near[i], far[i], w.fraction[i]) * k;
+                }
+            } else {
+                for i in 0..LANES {
+                    out[i] = near[i] * k;
+                }
+            }
+        }
+    }
+}
+
+/// The stage that computes lambda for this many coordinates.
+#[must_use]
+pub fn lambda_stage(dims: usize) -> &'static Stage<TexFn> {
+    match dims {
+        1 => &LAMBDA_1D,
+        2 => &LAMBDA_2D,
+        _ => &LAMBDA_3D,
+    }
+}

@@ -1,0 +1,169 @@
+//! Depth textures (OpenGL 1.5, section 3.8.14): a depth is read as luminance, intensity or alpha, or is compared with r.
+//!
+//! A comparison gives 1 or 0 for each texel that a filter reads, and LINEAR blends those: the edge of a shadow is as soft
+//! as a texel, and away from edges the result is exactly 0 or 1. (Section 3.8.14 leaves open how a filter and a comparison
+//! go together.) r is limited to 0..1 first, as the depths are. The third coordinate is r for 1D and 2D textures alike.
+
+use super::batch::{Lanes, TexBatch};
+use super::filter::{SECOND, destination, lerp};
+use super::filter_float::{each_lane, neighbours};
+use super::format::BaseFormat;
+use super::image::Texels;
+use super::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::batch::{LANES, Stage, stage};
+use crate::enums::*;
+use crate::num::clamp01;
+
+/// In a stage's argument from this bit on: how the depth is read ([`mode`]).
+const MODE_SHIFT: u32 = 8;
+
+/// DEPTH_TEXTURE_MODE for a stage's argument.
+#[must_use]
+pub fn mode(base: BaseFormat) -> u32 {
+    let code = match base {
+        BaseFormat::Intensity => 1,
+        BaseFormat::Alpha => 2,
+        _ => 0,
+    };
+    code << MODE_SHIFT
+}
+
+/// The base format that a depth texture has for environments.
+#[must_use]
+pub fn base_format(depth_mode: GLenum) -> BaseFormat {
+    match depth_mode {
+        GL_INTENSITY => BaseFormat::Intensity,
+        GL_ALPHA => BaseFormat::Alpha,
+        _ => BaseFormat::Luminance,
+    }
+}
+
+#[inline(always)]
+fn texels(image: &MipLevel) -> &[f32] {
+    match &image.image.texels {
+        Texels::Depth(texels) => texels,
+        _ => &[],
+    }
+}
+
+/// Replaces depths by whether r compares so with them.
+#[inline(always)]
+fn compare(func: GLenum, r: &Lanes, depths: &mut Lanes) {
+    #[inline(always)]
+    fn each(r: &Lanes, depths: &mut Lanes, passes: impl Fn(f32, f32) -> bool) {
+        for i in 0..LANES {
+            depths[i] = if passes(clamp01(r[i]), depths[i]) { 1.0 } else { 0.0 };
+        }
+    }
+    match func {
+        GL_NEVER => *depths = [0.0; LANES],
+        GL_LESS => each(r, depths, |r, d| r < d),
+        GL_EQUAL => each(r, depths, |r, d| r == d),
+        GL_GREATER => each(r, depths, |r, d| r > d),
+        GL_NOTEQUAL => each(r, depths, |r, d| r != d),
+        GL_GEQUAL => each(r, depths, |r, d| r >= d),
+        GL_ALWAYS => *depths = [1.0; LANES],
+        _ => each(r, depths, |r, d| r <= d),
+    }
+}
+
+/// Writes a depth as its mode says.
+#[inline(always)]
+fn expand(out: &mut [Lanes; 4], depth: &Lanes, arg: u32) {
+    *out = match arg >> MODE_SHIFT & 3 {
+        0 => [*depth, *depth, *depth, [1.0; LANES]],
+        1 => [*depth; 4],
+        _ => [[0.0; LANES], [0.0; LANES], [0.0; LANES], *depth],
+    };
+}
+
+#[inline(always)]
+fn sample<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    let pass = usize::from(arg & SECOND != 0);
+    if pass == 1 && !b.work.two_levels {
+        return;
+    }
+    let n = b.n;
+    let TexBatch { texel, work, coord, .. } = b;
+    // Texels (0, 0), (1, 0), (0, 1), (1, 1) of each lane.
+    let mut found = [[0.0; LANES]; 4];
+    each_lane::<DIMS>(work, n, u, pass, |i, image, at| {
+        if !LINEAR {
+            found[0][i] = texels(image).get(at).copied().unwrap_or(0.0);
+        } else if DIMS == 1 {
+            let [row] = neighbours::<f32, 1>(texels(image), at, 0, 0);
+            [found[0][i], found[1][i]] = row;
+        } else {
+            let [row, next] = neighbours::<f32, 2>(texels(image), at, image.stride as usize, 0);
+            [found[0][i], found[1][i]] = row;
+            [found[2][i], found[3][i]] = next;
+        }
+    });
+    let taps = if LINEAR { 2 * DIMS } else { 1 };
+    if COMPARE {
+        for depths in found.iter_mut().take(taps) {
+            compare(u.compare_func, &coord[2], depths);
+        }
+    }
+    let [mut depth, right, up, across] = found;
+    if LINEAR {
+        let [ws, wt, _] = &work.weight;
+        for i in 0..LANES {
+            let row = lerp(depth[i], right[i], ws[i]);
+            depth[i] = if DIMS == 1 { row } else { lerp(row, lerp(up[i], across[i], ws[i]), wt[i]) };
+        }
+    }
+    if let Some((out, _)) = destination(texel, &mut work.color, u.unit, arg, 1.0) {
+        expand(out, &depth, arg);
+    }
+}
+
+stage! {
+    /// The nearest depth of a 1D image.
+    pub fn DEPTH_NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<1, false, false>(b, u, arg);
+    }
+    /// The nearest depth of a 2D image.
+    pub fn DEPTH_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<2, false, false>(b, u, arg);
+    }
+    /// Two depths of a 1D image.
+    pub fn DEPTH_LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<1, true, false>(b, u, arg);
+    }
+    /// Four depths of a 2D image.
+    pub fn DEPTH_BILINEAR_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<2, true, false>(b, u, arg);
+    }
+    /// The nearest depth of a 1D image, compared with r.
+    pub fn SHADOW_NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<1, false, true>(b, u, arg);
+    }
+    /// The nearest depth of a 2D image, compared with r.
+    pub fn SHADOW_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<2, false, true>(b, u, arg);
+    }
+    /// Two depths of a 1D image, each compared with r.
+    pub fn SHADOW_LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<1, true, true>(b, u, arg);
+    }
+    /// Four depths of a 2D image, each compared with r.
+    pub fn SHADOW_BILINEAR_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample::<2, true, true>(b, u, arg);
+    }
+}
+
+/// The stage for this many dimensions.
+#[must_use]
+pub fn stage(dims: usize, linear: bool, compare: bool) -> &'static Stage<TexFn> {
+    match (dims, linear, compare) {
+        (1, false, false) => &DEPTH_NEAREST_1D,
+        (_, false, false) => &DEPTH_NEAREST_2D,
+        (1, true, false) => &DEPTH_LINEAR_1D,
+        (_, true, false) => &DEPTH_BILINEAR_2D,
+        (1, false, true) => &SHADOW_NEAREST_1D,
+        (_, false, true) => &SHADOW_NEAREST_2D,
+        (1, true, true) => &SHADOW_LINEAR_1D,
+        (_, true, true) => &SHADOW_BILINEAR_2D,
+    }
+}
