@@ -1,3 +1,31 @@
-//! Rasterisation (OpenGL 1.5, sections 3.3 to 3.5): from processed vertices to runs of fragments.
+//! Rasterisation (OpenGL 1.5, sections 3.3 to 3.5): from processed vertices to runs of fragments. Setup turns a primitive
+//! into a shape (which pixels) and planes (which values there); a [`scene::Scene`] keeps both until it is flushed; the
+//! walk over a band of rows appends row runs to batches of 64 fragments, which the draw's fragment program works on.
 
+mod bands;
+mod emit;
+mod geometry;
+mod line;
+mod plane;
+mod point;
+mod polygon;
+mod scene;
+mod setup;
+mod smooth;
+pub mod state;
+#[cfg(test)]
+mod testing;
 pub mod vertex;
+
+pub use plane::WIDE_DENOMINATOR;
+pub use scene::{Draw, Scene, Shader};
+pub use state::RasterState;
+
+/// A processed vertex as setup reads it.
+#[derive(Clone, Copy, Debug)]
+pub struct VertexRef<'a> {
+    /// The position part.
+    pub head: &'a vertex::Vertex,
+    /// The values of its slots, at least the layout's stride of them.
+    pub slots: &'a [f32],
+}

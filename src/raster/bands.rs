@@ -1,0 +1,217 @@
+//! Walking a scene. With one thread, or little to do, the primitives are walked in issue order over the whole
+//! framebuffer. Otherwise each is filed in the bands of rows that it touches, in issue order, and workers take one band
+//! after the other. A pixel lies in one band, so it sees the same fragments in the same order in either case, and since a
+//! fragment depends on nothing but its primitive and its position, the result is the same to the last bit.
+
+use super::emit::{Emitter, Sink};
+use super::geometry::{Cover, Geometry, Prim};
+use super::scene::{Draw, Shader};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::planes::{Plane, Planes};
+use crate::framebuffer::{Band, Framebuffer};
+use std::ops::Range;
+use std::sync::{Arc, Mutex};
+
+/// What is to be walked.
+#[derive(Debug)]
+pub(super) struct Flush<'a, P> {
+    pub draws: &'a [Arc<Draw<P>>],
+    pub geometry: &'a Geometry,
+    pub cut: usize,
+}
+
+/// Work, in fragments, from which on more than one thread pays: starting a thread takes about as long as a few thousand.
+const PAYS: u64 = 40_000;
+/// What a primitive costs besides its fragments, in fragments.
+const PRIMITIVE: u64 = 4;
+
+/// Rows of a band: about 32 bands, so that workers end at about the same time, but not so low that large triangles are
+/// set up for their rows again and again.
+fn band_rows(height: u32) -> u32 {
+    (height / 32).next_power_of_two().clamp(8, 64)
+}
+
+/// A program with all that it works on.
+struct Target<'a, 'b, P> {
+    program: &'a P,
+    planes: &'a [Planes],
+    pool: &'a [Plane],
+    band: &'a mut Band<'b>,
+}
+
+impl<P: Shader> Sink for Target<'_, '_, P> {
+    fn run(&mut self, batch: &mut FragmentBatch) {
+        self.program.run(batch, self.planes, self.pool, self.band);
+    }
+}
+
+/// Walks a scene over a framebuffer.
+pub(super) fn flush<P: Shader>(
+    flush: &Flush<P>,
+    framebuffer: &mut Framebuffer,
+    threads: usize,
+    bins: &mut Vec<Vec<u32>>,
+    emitters: &mut Vec<Emitter>,
+) -> u64 {
+    let geometry = flush.geometry;
+    let height = framebuffer.height();
+    let rows = band_rows(height);
+    let count = height.div_ceil(rows) as usize;
+    let work = geometry.pixels + PRIMITIVE * geometry.prims.len() as u64;
+    let workers = threads.min(count).min(usize::try_from(work / PAYS).unwrap_or(1) + 1).max(1);
+    emitters.resize_with(emitters.len().max(workers), Emitter::new);
+    if workers == 1 {
+        let mut band = framebuffer.band();
+        if let Some(emitter) = emitters.first_mut() {
+            let all = 0..u32::try_from(geometry.prims.len()).unwrap_or(u32::MAX);
+            flush.walk(all, &mut band, emitter);
+        }
+        return band.samples;
+    }
+    file(geometry, bins, count, rows);
+    let mut bands = framebuffer.bands(rows);
+    let queue = Mutex::new(bands.iter_mut().zip(bins.iter()));
+    let work = |emitter: &mut Emitter| {
+        loop {
+            let next = queue.lock().ok().and_then(|mut queue| queue.next());
+            let Some((band, bin)) = next else { break };
+            flush.walk(bin.iter().copied(), band, emitter);
+        }
+    };
+    std::thread::scope(|scope| {
+        let mut emitters = emitters.iter_mut().take(workers);
+        let own = emitters.next();
+        for emitter in emitters {
+            scope.spawn(|| work(emitter));
+        }
+        own.map(work);
+    });
+    bands.iter().map(|band| band.samples).sum()
+}
+
+/// Files each primitive in the bands that it touches.
+fn file(geometry: &Geometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) {
+    bins.resize_with(bins.len().max(count), Vec::new);
+    bins.iter_mut().for_each(Vec::clear);
+    let shift = rows.trailing_zeros();
+    for (i, prim) in (0u32..).zip(&geometry.prims) {
+        let touched = geometry.rows(prim);
+        let first = (touched.start.max(0) >> shift) as usize;
+        let last = ((touched.end - 1) >> shift).max(-1);
+        let last = usize::try_from(last + 1).unwrap_or(0).min(count);
+        for bin in bins.get_mut(first..last).into_iter().flatten() {
+            bin.push(i);
+        }
+    }
+}
+
+impl<P: Shader> Flush<'_, P> {
+    /// Walks primitives over a band.
+    fn walk(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
+        let rows = band.y0 as i32..band.y0.saturating_add(band.rows) as i32;
+        to.begin(band, self.cut);
+        let Some(first) = self.draws.first() else { return };
+        let (planes, pool) = (&self.geometry.planes[..], &self.geometry.pool[..]);
+        let mut sink = Target { program: &first.program, planes, pool, band };
+        let mut current = u32::MAX;
+        let mut draw = first;
+        for i in prims {
+            let (Some(prim), Some(of)) = (self.geometry.prims.get(i as usize), planes.get(i as usize)) else { break };
+            if prim.draw != current {
+                to.finish(&mut sink);
+                let Some(next) = self.draws.get(prim.draw as usize) else { continue };
+                (draw, current) = (next, prim.draw);
+                sink.program = &draw.program;
+                to.smooth = draw.program.coverage();
+                to.ordered = draw.program.ordered();
+            }
+            to.primitive(i, of.origin);
+            self.primitive(prim, draw, &rows, to, &mut sink);
+        }
+        to.finish(&mut sink);
+    }
+
+    #[inline]
+    fn primitive(&self, prim: &Prim, draw: &Draw<P>, rows: &Range<i32>, to: &mut Emitter, sink: &mut impl Sink) {
+        let geometry = self.geometry;
+        let rs = &draw.raster;
+        let stipple = rs.polygon_stipple.as_deref();
+        let cut = |y0: i32, y1: i32| y0.max(rows.start)..y1.min(rows.end);
+        match prim.cover {
+            Cover::Mask { x, y, bits } => {
+                let mut bits = bits;
+                let mut row = y;
+                if row < rows.start {
+                    let skip = (rows.start - row).min(8);
+                    bits = bits.checked_shr(8 * skip.unsigned_abs()).unwrap_or(0);
+                    row += skip;
+                }
+                while bits != 0 && row < rows.end {
+                    let mut byte = bits as u32 & 0xFF;
+                    let mut at = x;
+                    while byte != 0 {
+                        let skip = byte.trailing_zeros();
+                        let len = (byte >> skip).trailing_ones();
+                        at += skip as i32;
+                        to.run(at, row, len as i32, 1.0, sink);
+                        at += len as i32;
+                        byte >>= skip + len;
+                    }
+                    bits >>= 8;
+                    row += 1;
+                }
+            }
+            Cover::Edges(i) => {
+                let Some(edges) = geometry.edges.get(i as usize) else { return };
+                match stipple {
+                    None => edges.spans(rows.clone(), |x, y, len| to.run(x, y, len, 1.0, sink)),
+                    Some(pattern) => edges.spans(rows.clone(), |x, y, len| {
+                        to.stippled(x, y, len, pattern[y as usize & 31], 1.0, sink);
+                    }),
+                }
+            }
+            Cover::Line(i) => {
+                let Some(line) = geometry.lines.get(i as usize) else { return };
+                line.walk(rows.clone(), rs.line_stipple, to, sink);
+            }
+            Cover::Rect(rect) => {
+                for y in cut(rect.y0, rect.y1) {
+                    to.run(rect.x0, y, rect.x1 - rect.x0, 1.0, sink);
+                }
+            }
+            Cover::Disc(i) => {
+                let Some(disc) = geometry.discs.get(i as usize) else { return };
+                for y in cut(disc.rect.y0, disc.rect.y1) {
+                    for x in disc.rect.x0..disc.rect.x1 {
+                        let coverage = disc.coverage(x, y);
+                        if coverage > 0.0 {
+                            to.run(x, y, 1, coverage, sink);
+                        }
+                    }
+                }
+            }
+            Cover::Outline(i) => {
+                let Some(outline) = geometry.outlines.get(i as usize) else { return };
+                // Only polygons are stippled this way; a smooth line is stippled by setup, and its outline has 4 corners.
+                let pattern = stipple.filter(|_| outline.count == 3);
+                for y in cut(outline.rect.y0, outline.rect.y1) {
+                    let (x0, x1) = outline.columns(y);
+                    for x in x0..x1 {
+                        let bit = pattern.is_none_or(|rows| rows[y as usize & 31] << (x as u32 & 31) >> 31 != 0);
+                        let coverage = if bit { outline.coverage(x, y) } else { 0.0 };
+                        if coverage > 0.0 {
+                            to.run(x, y, 1, coverage, sink);
+                        }
+                    }
+                }
+            }
+            Cover::Spans { first, count } => {
+                for span in geometry.spans(first, count) {
+                    if rows.contains(&span.y) {
+                        to.run(span.x, span.y, span.len, 1.0, sink);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! What a scene keeps of its primitives, in issue order: each one's shape, its planes, and in side lists what the larger
+//! shapes need. A small triangle is 64 covered-or-not bits in place; everything larger is an index into its list.
+
+use super::line::Line;
+use super::plane::Recipe;
+use super::point::Disc;
+use super::polygon::Edges;
+use super::smooth::Outline;
+use super::state::Rect;
+use crate::fragment::planes::{Linear, Plane, Planes};
+
+/// Which pixels a primitive covers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cover {
+    /// A small triangle: bit (8 row + column) of `bits` says whether pixel (x + column, y + row) is covered.
+    Mask {
+        /// Leftmost column.
+        x: i32,
+        /// Lowest row.
+        y: i32,
+        /// Covered pixels; clipped and stippled.
+        bits: u64,
+    },
+    /// A triangle by its edges: an index of [`Geometry::edges`].
+    Edges(u32),
+    /// An aliased line: an index of [`Geometry::lines`].
+    Line(u32),
+    /// Pixels of a rectangle, all of them (an aliased point).
+    Rect(Rect),
+    /// A smooth point: an index of [`Geometry::discs`].
+    Disc(u32),
+    /// A smooth line or polygon: an index of [`Geometry::outlines`].
+    Outline(u32),
+    /// Row runs: an index of [`Geometry::spans`] and their number.
+    Spans {
+        /// First run.
+        first: u32,
+        /// Number of runs, from below.
+        count: u32,
+    },
+}
+
+/// A run of pixels of one row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// First column.
+    pub x: i32,
+    /// Row.
+    pub y: i32,
+    /// Number of pixels.
+    pub len: i32,
+}
+
+/// A primitive: its shape and the draw that it belongs to. Its [`Planes`] have the same index.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prim {
+    /// Which pixels.
+    pub cover: Cover,
+    /// Index of the draw.
+    pub draw: u32,
+}
+
+/// All primitives of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Geometry {
+    /// Primitives in issue order.
+    pub prims: Vec<Prim>,
+    /// Their planes.
+    pub planes: Vec<Planes>,
+    /// The planes of their slots.
+    pub pool: Vec<Plane>,
+    /// Triangles that are not small.
+    pub edges: Vec<Edges>,
+    /// Aliased lines.
+    pub lines: Vec<Line>,
+    /// Smooth points.
+    pub discs: Vec<Disc>,
+    /// Smooth lines and polygons.
+    pub outlines: Vec<Outline>,
+    /// Row runs.
+    pub spans: Vec<Span>,
+    /// About how many pixels the primitives cover.
+    pub pixels: u64,
+}
+
+/// An index as it is kept; there are never 2^32 of anything, since a scene is flushed long before.
+pub(super) fn index(len: usize) -> u32 {
+    u32::try_from(len).unwrap_or(u32::MAX)
+}
+
+impl Geometry {
+    /// Forgets all primitives, keeping the memory.
+    pub fn clear(&mut self) {
+        self.prims.clear();
+        self.planes.clear();
+        self.pool.clear();
+        self.edges.clear();
+        self.lines.clear();
+        self.discs.clear();
+        self.outlines.clear();
+        self.spans.clear();
+        self.pixels = 0;
+    }
+
+    /// Bytes in use.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        const fn bytes<T>(v: &Vec<T>) -> usize {
+            v.len() * size_of::<T>()
+        }
+        bytes(&self.prims)
+            + bytes(&self.planes)
+            + bytes(&self.pool)
+            + bytes(&self.edges)
+            + bytes(&self.lines)
+            + bytes(&self.discs)
+            + bytes(&self.outlines)
+            + bytes(&self.spans)
+    }
+
+    /// Files a primitive whose planes have been made.
+    #[inline]
+    pub(super) fn file(&mut self, cover: Cover, draw: u32, planes: Planes, pixels: u64) {
+        self.prims.push(Prim { cover, draw });
+        self.planes.push(planes);
+        self.pixels += pixels;
+    }
+
+    /// The rows that a primitive may touch.
+    #[must_use]
+    pub fn rows(&self, prim: &Prim) -> std::ops::Range<i32> {
+        let of = |rect: &Rect| rect.y0..rect.y1;
+        match prim.cover {
+            Cover::Mask { y, bits, .. } => {
+                let low = bits.trailing_zeros() as i32 / 8;
+                let high = 7 - bits.leading_zeros() as i32 / 8;
+                y + low..y + high + 1
+            }
+            Cover::Edges(i) => self.edges.get(i as usize).map_or(0..0, |e| of(&e.rect)),
+            Cover::Line(i) => self.lines.get(i as usize).map_or(0..0, |l| of(&l.rect)),
+            Cover::Rect(rect) => of(&rect),
+            Cover::Disc(i) => self.discs.get(i as usize).map_or(0..0, |d| of(&d.rect)),
+            Cover::Outline(i) => self.outlines.get(i as usize).map_or(0..0, |o| of(&o.rect)),
+            Cover::Spans { first, count } => {
+                let spans = self.spans(first, count);
+                let low = spans.iter().map(|s| s.y).min().unwrap_or(0);
+                low..spans.iter().map(|s| s.y + 1).max().unwrap_or(0)
+            }
+        }
+    }
+
+    /// The runs of a primitive.
+    #[must_use]
+    pub fn spans(&self, first: u32, count: u32) -> &[Span] {
+        let first = first as usize;
+        self.spans.get(first..first.saturating_add(count as usize)).unwrap_or(&[])
+    }
+}
+
+/// What all setup functions need to know of the draw.
+#[derive(Clone, Copy, Debug)]
+pub struct Context<'a> {
+    /// State of the rasteriser.
+    pub rs: &'a super::RasterState,
+    /// What to interpolate.
+    pub recipe: &'a Recipe,
+    /// Index of the draw.
+    pub draw: u32,
+}
+
+/// A depth function without infinities.
+pub(super) fn finite(z: Linear) -> Linear {
+    if (z.at + z.x + z.y).is_finite() { z } else { Linear::default() }
+}

@@ -1,0 +1,237 @@
+//! Aliased lines (OpenGL 1.5, section 3.4): the diamond-exit rule in integers, width by replication across the minor axis,
+//! stipple. Along its major axis a line has one fragment a step, since |slope| <= 1 means that it crosses the middle of
+//! exactly one diamond in each column; only in the first and the last column the diamond itself must be looked at:
+//!
+//! ```text
+//!        /\   the pixel's diamond |x - cx| + |y - cy| < 1/2       a ......>      a starts left of the middle or inside: drawn
+//!       /  \                                                      ......> b      b ends right of the middle and outside: drawn
+//!       \  /  a fragment is made where the line *leaves* the      an end on the diamond's border counts as moved by
+//!        \/   diamond, so lines that meet share no pixel          (-e, -e*e), e tiny, as the specification says
+//! ```
+
+use super::VertexRef;
+use super::emit::{Emitter, Sink};
+use super::geometry::{Context, Cover, Geometry, finite, index};
+use super::plane::{Basis, Values};
+use super::setup::{relative, relative_snapped, within_limit};
+use super::state::Rect;
+use crate::fragment::planes::Planes;
+use std::ops::Range;
+
+/// A line on its way to being filed.
+#[derive(Clone, Copy)]
+pub(super) struct Segment<'a> {
+    pub v: [VertexRef<'a>; 2],
+    pub provoking: &'a [f32],
+    /// Whether the colours of back faces are taken (boundary edges of polygons).
+    pub back: bool,
+    /// What is added to the depth, in units of the depth buffer.
+    pub offset: f64,
+}
+
+/// An aliased line, ready to be walked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Pixels that may be touched.
+    pub rect: Rect,
+    /// Whether x is the major axis.
+    x_major: bool,
+    /// Steps along the major axis.
+    from: i32,
+    to: i32,
+    /// Minor coordinate at step `from`: quotient and remainder of a division by `modulus`, and their change a step.
+    minor: i64,
+    remainder: i64,
+    minor_step: i64,
+    remainder_step: i64,
+    modulus: i64,
+    /// Fragments across.
+    width: i32,
+    /// Minor coordinates that the middle of the line must be in.
+    view: (i32, i32),
+    /// Stipple counter at step `from`, and its change a step.
+    count: u32,
+    direction: i32,
+}
+
+/// Whether p lies in the diamond of the pixel, p moved a little left, and less down, where it lies on the border.
+fn in_diamond(p: [i32; 2], pixel: [i32; 2]) -> bool {
+    let [x, y] = [0, 1].map(|k: usize| i64::from(p[k]) - (i64::from(pixel[k]) * 256 + 128));
+    let distance = x.abs() + y.abs();
+    distance < 128 || (distance == 128 && x > 0)
+}
+
+impl Line {
+    /// The steps of a line between snapped positions, `None` where it has no fragment. The second value is the number of
+    /// fragments along it, clipped ones too, by which the stipple counter goes on.
+    fn new(a: [i32; 2], b: [i32; 2], width: i32, counter: u32, cx: &Context) -> (Option<Self>, u32) {
+        let d = [b[0] - a[0], b[1] - a[1]];
+        let x_major = d[0].abs() >= d[1].abs();
+        let (major, minor) = if x_major { (0, 1) } else { (1, 0) };
+        let length = i64::from(d[major].abs());
+        if length == 0 {
+            return (None, 0);
+        }
+        // Width w: the line moves down by (w - 1) / 2 and each fragment becomes w of them upwards.
+        let shifted = |mut p: [i32; 2]| {
+            p[minor] -= (width - 1) * 128;
+            p
+        };
+        let (a, b) = (shifted(a), shifted(b));
+        let forward = d[major] > 0;
+        let direction = if forward { 1 } else { -1 };
+        let rise = i64::from(d[minor]) * i64::from(direction);
+        // A line exactly between two pixels: which one the tiny displacement chooses.
+        let down = !x_major || rise <= 0;
+        let numerator = |step: i32| {
+            let middle = i64::from(step) * 256 + 128 - i64::from(a[major]);
+            i64::from(a[minor]) * length + middle * rise - i64::from(down)
+        };
+        let modulus = 256 * length;
+        let pixel = |step: i32| {
+            let across = numerator(step).div_euclid(modulus) as i32;
+            if x_major { [step, across] } else { [across, step] }
+        };
+        let (first, last) = ((a[major] - 1) >> 8, (b[major] - 1) >> 8);
+        let middle = |step: i32| step * 256 + 128;
+        let (starts, ends) = if forward {
+            (a[major] <= middle(first), b[major] > middle(last))
+        } else {
+            (a[major] > middle(first), b[major] <= middle(last))
+        };
+        let first = if starts || in_diamond(a, pixel(first)) { first } else { first + direction };
+        let last = if ends && !in_diamond(b, pixel(last)) { last } else { last - direction };
+        let fragments = (last - first) * direction + 1;
+        if fragments <= 0 {
+            return (None, 0);
+        }
+        let advance = fragments.unsigned_abs();
+        let view = cx.rs.viewport;
+        let (view_major, view_minor) =
+            if x_major { ((view.x0, view.x1), (view.y0, view.y1)) } else { ((view.y0, view.y1), (view.x0, view.x1)) };
+        let clip = cx.rs.clip;
+        let (clip_low, clip_high) = if x_major { (clip.x0, clip.x1) } else { (clip.y0, clip.y1) };
+        let from = first.min(last).max(view_major.0).max(clip_low);
+        let to = (first.max(last) + 1).min(view_major.1).min(clip_high);
+        if from >= to {
+            return (None, advance);
+        }
+        let ends = [numerator(from).div_euclid(modulus), numerator(to - 1).div_euclid(modulus)];
+        let (low, high) = (ends[0].min(ends[1]) as i32, ends[0].max(ends[1]) as i32 + width);
+        let rect = if x_major {
+            Rect { x0: from, y0: low, x1: to, y1: high }
+        } else {
+            Rect { x0: low, y0: from, x1: high, y1: to }
+        };
+        let rect = rect.and(clip);
+        if rect.is_empty() {
+            return (None, advance);
+        }
+        let line = Self {
+            rect,
+            x_major,
+            from,
+            to,
+            minor: ends[0],
+            remainder: numerator(from).rem_euclid(modulus),
+            minor_step: (256 * rise).div_euclid(modulus),
+            remainder_step: (256 * rise).rem_euclid(modulus),
+            modulus,
+            width,
+            view: view_minor,
+            count: counter.wrapping_add(((from - first) * direction) as u32),
+            direction,
+        };
+        (Some(line), advance)
+    }
+
+    /// Hands on the fragments in `rows`.
+    pub fn walk(&self, rows: Range<i32>, stipple: Option<(u16, u32)>, to: &mut Emitter, sink: &mut impl Sink) {
+        let rect = self.rect;
+        let (y0, y1) = (rows.start.max(rect.y0), rows.end.min(rect.y1));
+        let (mut minor, mut remainder, mut count) = (self.minor, self.remainder, self.count);
+        let middle = (self.width - 1) / 2;
+        // Neighbouring fragments of one row, not handed on yet: x, y, length.
+        let mut run = (0, 0, 0);
+        for step in self.from..self.to {
+            let across = minor as i32;
+            let drawn = stipple.is_none_or(|(pattern, factor)| (pattern >> ((count / factor) & 15)) & 1 != 0);
+            if drawn && (self.view.0..self.view.1).contains(&(across + middle)) {
+                if !self.x_major {
+                    if (y0..y1).contains(&step) {
+                        let (x0, x1) = (across.max(rect.x0), (across + self.width).min(rect.x1));
+                        to.run(x0, step, x1 - x0, 1.0, sink);
+                    }
+                } else if self.width == 1 {
+                    if (y0..y1).contains(&across) {
+                        if run.2 > 0 && run.1 == across && run.0 + run.2 == step {
+                            run.2 += 1;
+                        } else {
+                            to.run(run.0, run.1, run.2, 1.0, sink);
+                            run = (step, across, 1);
+                        }
+                    }
+                } else {
+                    for y in across.max(y0)..(across + self.width).min(y1) {
+                        to.run(step, y, 1, 1.0, sink);
+                    }
+                }
+            }
+            count = count.wrapping_add_signed(self.direction);
+            minor += self.minor_step;
+            remainder += self.remainder_step;
+            if remainder >= self.modulus {
+                remainder -= self.modulus;
+                minor += 1;
+            }
+        }
+        to.run(run.0, run.1, run.2, 1.0, sink);
+    }
+}
+
+impl Geometry {
+    /// Sets up a line and files it; the stipple counter goes on.
+    pub(super) fn line(&mut self, cx: &Context, s: &Segment, stipple: &mut u32) {
+        let p = s.v.map(|v| v.head.snapped);
+        if !within_limit(&p) {
+            return;
+        }
+        if cx.rs.smooth[1] {
+            self.smooth_line(cx, s, stipple);
+            return;
+        }
+        let width = ((cx.rs.line_width + 0.5) as i32).max(1);
+        let (line, advance) = Line::new(p[0], p[1], width, *stipple, cx);
+        *stipple = stipple.wrapping_add(advance);
+        let Some(line) = line else { return };
+        self.lines.push(line);
+        let cover = Cover::Line(index(self.lines.len() - 1));
+        let planes = self.line_planes(cx, s);
+        self.file(cover, cx.draw, planes, u64::from((line.to - line.from).unsigned_abs()) * width as u64);
+    }
+
+    /// The planes of a line, its slots in the pool.
+    pub(super) fn line_planes(&mut self, cx: &Context, s: &Segment) -> Planes {
+        let [a, b] = s.v.map(|v| v.head);
+        let (wa, wb) = (a.clip[3], b.clip[3]);
+        let from = if wb > 2.0 * wa {
+            b.snapped
+        } else if wa > 2.0 * wb {
+            a.snapped
+        } else {
+            [0, 1].map(|k: usize| (a.snapped[k] + b.snapped[k]) >> 1)
+        };
+        let origin = from.map(|x| x >> 8);
+        let snapped = Basis::line(relative_snapped(a.snapped, origin), relative_snapped(b.snapped, origin));
+        let exact = Basis::line(relative(a.window, origin), relative(b.window, origin));
+        let basis = if (exact.b[0].x + exact.b[0].y).is_finite() { exact } else { snapped };
+        let scale = cx.rs.depth_scale;
+        let mut z = finite(snapped.linear([a.window[2] * scale, b.window[2] * scale, b.window[2] * scale]));
+        z.at += s.offset;
+        let mut planes = Planes { origin, z, ..Planes::default() };
+        let corner = [s.v[0].slots, s.v[1].slots, s.v[1].slots];
+        let values = Values { corner, provoking: s.provoking, back: s.back, w: [wa, wb, wb] };
+        cx.recipe.planes(&basis, &values, &mut planes, &mut self.pool);
+        planes
+    }
+}

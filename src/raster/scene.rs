@@ -1,0 +1,165 @@
+//! The scene: draws that have been issued and not yet rasterised, their primitives set up in issue order. Nothing touches
+//! the framebuffer until the scene is flushed (`glFlush`, `glFinish`, reading pixels, or when its memory is full), so the
+//! work of many small draws can be shared out to bands of rows and their workers.
+
+use super::bands::{self, Flush};
+use super::emit::Emitter;
+use super::geometry::{Context, Geometry};
+use super::line::Segment;
+use super::plane::Recipe;
+use super::point::Dot;
+use super::setup::Triangle;
+use super::{RasterState, VertexRef};
+use crate::batch::LANES;
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::planes::{Layout, Plane, Planes};
+use crate::framebuffer::{Band, Framebuffer};
+use std::sync::Arc;
+
+/// What a draw does with its fragments.
+pub trait Shader: Send + Sync {
+    /// What it interpolates.
+    fn layout(&self) -> &Layout;
+    /// Whether fragments of one pixel must be worked on in order.
+    fn ordered(&self) -> bool;
+    /// Whether it reads the coverage of each fragment.
+    fn coverage(&self) -> bool;
+    /// Whether nothing can come of drawing: then nothing is set up.
+    fn draws_nothing(&self) -> bool;
+    /// Works on a batch.
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>);
+}
+
+/// One state of the machine as the back end sees it.
+#[derive(Debug)]
+pub struct Draw<P> {
+    /// What happens to fragments.
+    pub program: P,
+    /// How primitives become fragments.
+    pub raster: RasterState,
+}
+
+/// Bytes after which a scene wants to be flushed where one thread works on it: about what the second-level cache holds.
+const SMALL: usize = 256 << 10;
+/// The same where the work is shared out: enough for all workers to be busy for a while.
+const LARGE: usize = 48 << 20;
+
+/// Draws and primitives that wait for a flush.
+#[derive(Debug)]
+pub struct Scene<P> {
+    draws: Vec<Arc<Draw<P>>>,
+    geometry: Geometry,
+    recipe: Recipe,
+    stipple: u32,
+    cut: usize,
+    bound: usize,
+    bins: Vec<Vec<u32>>,
+    emitters: Vec<Emitter>,
+}
+
+/// The slots of a vertex.
+fn slots<'a>(v: &[VertexRef<'a>], i: usize) -> &'a [f32] {
+    v.get(i).map_or(&[], |v| v.slots)
+}
+
+impl<P: Shader> Scene<P> {
+    /// An empty scene for a number of threads. Batches are cut after `cut` fragments; any number gives the same result.
+    #[must_use]
+    pub fn new(threads: usize, cut: usize) -> Self {
+        Self {
+            draws: Vec::new(),
+            geometry: Geometry::default(),
+            recipe: Recipe::default(),
+            stipple: 0,
+            cut: cut.clamp(1, LANES),
+            bound: if threads > 1 { LARGE } else { SMALL },
+            bins: Vec::new(),
+            emitters: Vec::new(),
+        }
+    }
+
+    /// Says what the primitives to come are drawn with. Returns the index of the draw.
+    pub fn begin_draw(&mut self, draw: Arc<Draw<P>>) -> u32 {
+        self.recipe.set(draw.program.layout(), draw.raster.flat);
+        self.draws.push(draw);
+        (self.draws.len() - 1) as u32
+    }
+
+    /// Whether nothing waits.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.geometry.prims.is_empty()
+    }
+
+    /// Bytes that the waiting primitives take.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        self.geometry.memory()
+    }
+
+    /// Whether the scene should be flushed before more is drawn ([`make_room`](Self::make_room)). To be asked after
+    /// every few hundred primitives at most.
+    #[must_use]
+    pub fn is_full(&self) -> bool {
+        self.memory() > self.bound || self.draws.len() > 4096
+    }
+
+    fn split(&mut self) -> Option<(Context<'_>, &mut Geometry, &mut u32)> {
+        let draw = self.draws.last().filter(|draw| !draw.program.draws_nothing())?;
+        let cx = Context { rs: &draw.raster, recipe: &self.recipe, draw: (self.draws.len() - 1) as u32 };
+        Some((cx, &mut self.geometry, &mut self.stipple))
+    }
+
+    /// Draws a triangle: three vertices in the order in which they were issued, which of them is the provoking vertex, and
+    /// whether the edge from each vertex to the next is a boundary edge of its polygon. Vertices must not need clipping.
+    #[inline]
+    pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
+        if let Some((cx, geometry, stipple)) = self.split() {
+            geometry.triangle(&cx, &Triangle { v, provoking: slots(&v, provoking), edges }, stipple);
+        }
+    }
+
+    /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a
+    /// strip or loop, and at each line of `GL_LINES`.
+    pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+        if let Some((cx, geometry, stipple)) = self.split() {
+            if restart {
+                *stipple = 0;
+            }
+            let provoking = slots(&v, provoking);
+            geometry.line(&cx, &Segment { v, provoking, back: false, offset: 0.0 }, stipple);
+        }
+    }
+
+    /// Draws a point of the vertex's point size.
+    pub fn point(&mut self, v: VertexRef<'_>) {
+        if let Some((cx, geometry, _)) = self.split() {
+            geometry.point(&cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 });
+        }
+    }
+
+    /// Draws all that waits and forgets it, draws included. Returns how many fragments passed, as far as programs count.
+    pub fn flush(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
+        let samples = self.rasterise(framebuffer, threads);
+        self.draws.clear();
+        samples
+    }
+
+    /// Draws all that waits and goes on with the current draw.
+    pub fn make_room(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
+        let samples = self.rasterise(framebuffer, threads);
+        let passed = self.draws.len().saturating_sub(1);
+        self.draws.drain(..passed);
+        samples
+    }
+
+    fn rasterise(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
+        if self.geometry.prims.is_empty() {
+            return 0;
+        }
+        let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut };
+        let samples = bands::flush(&flush, framebuffer, threads, &mut self.bins, &mut self.emitters);
+        self.geometry.clear();
+        samples
+    }
+}

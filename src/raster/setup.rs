@@ -1,0 +1,195 @@
+//! Setup of triangles (OpenGL 1.5, sections 2.13.1, 3.5): facing by the sign of the snapped area, culling, polygon modes
+//! and offset, and the planes. What draws nothing is found out as early as possible: culled triangles before anything
+//! else is computed, small ones that contain no pixel centre before their planes are made.
+
+use super::VertexRef;
+use super::geometry::{Context, Cover, Geometry, finite, index};
+use super::line::Segment;
+use super::plane::{Basis, Values};
+use super::point::Dot;
+use super::polygon::{Edges, bounds};
+use super::state::{Mode, Rect};
+use super::vertex::Vertex;
+use crate::fragment::planes::{Linear, Planes};
+
+/// Positions of vertices that can be rasterised are below this, in 1/256 pixel: the guard band and some room.
+pub(super) const LIMIT: i32 = 1 << 23;
+
+/// Whether all positions are within the limit.
+#[inline]
+pub(super) fn within_limit(points: &[[i32; 2]]) -> bool {
+    points.iter().flatten().fold(0u32, |all, v| all | (v.wrapping_add(LIMIT) as u32)) < (2 * LIMIT) as u32
+}
+
+/// A position in 1/256 pixel as pixels from the centre of the origin pixel; exact.
+pub(super) fn relative_snapped(p: [i32; 2], origin: [i32; 2]) -> [f64; 2] {
+    [0, 1].map(|k: usize| f64::from(p[k] - (origin[k] << 8) - 128) * (1.0 / 256.0))
+}
+
+/// An unsnapped position as pixels from the centre of the origin pixel.
+pub(super) fn relative(p: [f64; 3], origin: [i32; 2]) -> [f64; 2] {
+    [p[0] - (f64::from(origin[0]) + 0.5), p[1] - (f64::from(origin[1]) + 0.5)]
+}
+
+/// A triangle on its way to being filed.
+pub(super) struct Triangle<'a> {
+    pub v: [VertexRef<'a>; 3],
+    pub provoking: &'a [f32],
+    /// Whether the edge from each vertex to the next is a boundary.
+    pub edges: [bool; 3],
+}
+
+/// Where a triangle's values are taken: the origin pixel, and the weights by snapped and by unsnapped positions.
+struct Place {
+    origin: [i32; 2],
+    snapped: Basis,
+    basis: Basis,
+}
+
+impl Place {
+    fn new(v: [&Vertex; 3], area: i64) -> Self {
+        let [a, b, c] = v;
+        let p = [a.snapped, b.snapped, c.snapped];
+        let least = a.clip[3].min(b.clip[3]).min(c.clip[3]);
+        let most = a.clip[3].max(b.clip[3]).max(c.clip[3]);
+        // Where w varies much, 1/w is small and sensitive at the far end: take that as the origin, so that what is added
+        // to it there is small too.
+        let origin = if most > 2.0 * least {
+            let far = v.iter().find(|v| v.clip[3] == most).map_or(p[0], |v| v.snapped);
+            far.map(|x| x >> 8)
+        } else {
+            [0, 1].map(|k: usize| (p[0][k] + p[1][k] + p[2][k]).div_euclid(3 * 256))
+        };
+        let snapped_det = area as f64 * (1.0 / 65536.0);
+        let snapped = Basis::triangle(p.map(|p| relative_snapped(p, origin)), snapped_det);
+        let corner = v.map(|v| relative(v.window, origin));
+        let [[x0, y0], [x1, y1], [x2, y2]] = corner;
+        let det = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
+        // Slivers whose true area has little to do with the one that is drawn: values would leave their range.
+        let ratio = det / snapped_det;
+        let basis = if ratio > 0.5 && ratio < 2.0 { Basis::triangle(corner, det) } else { snapped };
+        Self { origin, snapped, basis }
+    }
+}
+
+/// The depth of a triangle in units of the depth buffer, with the offset of its mode.
+pub(super) fn depth(cx: &Context, snapped: &Basis, z: [f64; 3], mode: Mode) -> (Linear, f64) {
+    let scale = cx.rs.depth_scale;
+    let mut plane = finite(snapped.linear(z.map(|z| z * scale)));
+    let mut offset = 0.0;
+    if cx.rs.offset[mode as usize] {
+        let slope = plane.x.abs().max(plane.y.abs());
+        let steep = if cx.rs.offset_factor == 0.0 { 0.0 } else { slope * cx.rs.offset_factor };
+        // More than the whole range is as good as the range: depths are limited to it afterwards.
+        offset = (steep + cx.rs.offset_units).max(-2.0 * scale).min(2.0 * scale);
+        plane.at += offset;
+    }
+    (plane, offset)
+}
+
+impl Geometry {
+    /// Sets up a triangle: culls it, or files it as its mode says.
+    pub(super) fn triangle(&mut self, cx: &Context, t: &Triangle, stipple: &mut u32) {
+        let rs = cx.rs;
+        let v = t.v.map(|v| v.head);
+        let p = v.map(|v| v.snapped);
+        if !within_limit(&p) {
+            return;
+        }
+        let side = |a: i32, b: i32| i64::from(a - b);
+        let area = side(p[1][0], p[0][0]) * side(p[2][1], p[0][1]) - side(p[2][0], p[0][0]) * side(p[1][1], p[0][1]);
+        let back = area == 0 || (area > 0) != rs.ccw_is_front;
+        let face = usize::from(back);
+        if rs.cull[face] {
+            return;
+        }
+        match rs.mode[face] {
+            Mode::Fill if rs.smooth[2] => self.smooth_triangle(cx, t, area, back),
+            Mode::Fill => self.fill(cx, t, p, area, back),
+            mode => self.outline(cx, t, area, back, mode, stipple),
+        }
+    }
+
+    #[inline]
+    fn fill(&mut self, cx: &Context, t: &Triangle, mut p: [[i32; 2]; 3], area: i64, back: bool) {
+        let bounds = bounds(&p);
+        let rect = bounds.and(cx.rs.area);
+        if area == 0 || rect.is_empty() {
+            return;
+        }
+        if area < 0 {
+            p.swap(1, 2);
+        }
+        let (width, height) = (bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
+        let (cover, pixels) = if width <= 8 && height <= 8 {
+            let bits = Edges::new(&p, bounds).mask() & clip_mask(cx, bounds, rect);
+            if bits == 0 {
+                return;
+            }
+            (Cover::Mask { x: bounds.x0, y: bounds.y0, bits }, u64::from(bits.count_ones()))
+        } else {
+            let edges = Edges::new(&p, rect);
+            self.edges.push(edges);
+            let pixels = i64::from(rect.x1 - rect.x0) * i64::from(rect.y1 - rect.y0) / 2;
+            (Cover::Edges(index(self.edges.len() - 1)), pixels.unsigned_abs())
+        };
+        let planes = self.triangle_planes(cx, t, area, back, Mode::Fill);
+        self.file(cover, cx.draw, planes, pixels);
+    }
+
+    /// The planes of a filled triangle, its slots in the pool.
+    pub(super) fn triangle_planes(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode) -> Planes {
+        let v = t.v.map(|v| v.head);
+        let place = Place::new(v, area);
+        let (z, _) = depth(cx, &place.snapped, v.map(|v| v.window[2]), mode);
+        let mut planes = Planes { origin: place.origin, z, ..Planes::default() };
+        let values = Values { corner: t.v.map(|v| v.slots), provoking: t.provoking, back, w: v.map(|v| v.clip[3]) };
+        cx.recipe.planes(&place.basis, &values, &mut planes, &mut self.pool);
+        planes
+    }
+}
+
+impl Geometry {
+    /// Polygon modes LINE and POINT: the boundary edges as lines, or the vertices that begin them as points.
+    fn outline(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode, stipple: &mut u32) {
+        let offset = if area == 0 {
+            if cx.rs.offset[mode as usize] { cx.rs.offset_units } else { 0.0 }
+        } else {
+            let v = t.v.map(|v| v.head);
+            depth(cx, &Place::new(v, area).snapped, v.map(|v| v.window[2]), mode).1
+        };
+        // The first boundary edge of a polygon starts its stipple; later triangles of a fan begin with an inner edge.
+        if t.edges[0] {
+            *stipple = 0;
+        }
+        for (i, boundary) in t.edges.into_iter().enumerate() {
+            let (v, next) = (t.v[i], t.v[(i + 1) % 3]);
+            let provoking = if cx.rs.flat { t.provoking } else { v.slots };
+            match mode {
+                _ if !boundary => {}
+                Mode::Point if cx.rs.viewport.holds(v.head.snapped) => {
+                    self.point(cx, &Dot { v, provoking, back, offset });
+                }
+                Mode::Point => {}
+                _ => self.line(cx, &Segment { v: [v, next], provoking, back, offset }, stipple),
+            }
+        }
+    }
+}
+
+/// The bits of a small triangle's mask that may be drawn: clip rectangle and polygon stipple.
+#[inline]
+fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
+    let stipple = cx.rs.polygon_stipple.as_deref();
+    if rect == bounds && stipple.is_none() {
+        return u64::MAX;
+    }
+    let columns = (0xFFu32 << (rect.x0 - bounds.x0)) & (0xFFu32 >> (8 - (rect.x1 - bounds.x0)));
+    let mut mask = 0;
+    for y in rect.y0..rect.y1 {
+        let pattern = stipple.map_or(u32::MAX, |rows| rows[y as usize & 31]);
+        let turned = pattern.rotate_left(bounds.x0 as u32 & 31).reverse_bits();
+        mask |= u64::from(columns & turned) << (8 * (y - bounds.y0));
+    }
+    mask
+}
