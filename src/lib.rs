@@ -16,3 +16,4 @@ pub mod state;
 pub mod texture;
 
 pub use context::{Context, Error};
+pub mod vertex;

@@ -35,7 +35,7 @@ pub mod outcode {
     pub const FAR: u32 = 32;
     /// User clip plane i is `USER << i`.
     pub const USER: u32 = 64;
-    /// Outside the guard band, in 16 bits: a primitive with such a vertex is clipped against left, right, bottom, top.
+    /// Window x or y outside the guard band of +-32767: a triangle with such a vertex is clipped against the guard band.
     pub const GUARD: u32 = 1 << 16;
     /// w is not positive enough for a division, or a coordinate is not finite.
     pub const BEHIND: u32 = 1 << 17;

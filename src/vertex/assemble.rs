@@ -1,0 +1,222 @@
+//! Primitive assembly (OpenGL 1.5, section 2.6.1): the ten primitives of Begin/End as a stream of vertices. The
+//! assembler keeps only the ids of the vertices that later ones may need, so a primitive of any length runs over
+//! batches of any cut; what is incomplete at the end is dropped.
+//!
+//! ```text
+//!   TRIANGLE_STRIP   0 1 2 | 2 1 3 | 2 3 4 ...    the odd ones turned, so that all wind the same way
+//!   TRIANGLE_FAN     0 1 2 | 0 2 3 ...            POLYGON the same, but its first vertex gives the flat colour
+//!   QUADS  0 1 2 3   0 1 3 | 1 2 3                both with vertex 3, which gives the flat colour
+//!   QUAD_STRIP       0 1 3 2 ...                  cut so that both halves have vertex 3
+//! ```
+
+use super::Assembled;
+use super::clip::Clipper;
+use super::plan::VertexPlan;
+use super::pool::Pool;
+use crate::enums::*;
+use crate::raster::vertex::outcode;
+
+/// Joins vertices into primitives.
+#[derive(Clone, Debug, Default)]
+pub struct Assembler {
+    mode: GLenum,
+    /// Ids of the vertices that are kept.
+    hold: [u32; 4],
+    held: usize,
+    /// How many vertices the primitive has had, modulo something even.
+    count: u32,
+}
+
+/// What the assembler works with.
+pub struct Output<'a, S> {
+    /// The plan that made the vertices.
+    pub plan: &'a VertexPlan,
+    /// Cuts what leaves the view volume.
+    pub clipper: &'a mut Clipper,
+    /// Where primitives go.
+    pub sink: &'a mut S,
+}
+
+impl<S: Assembled> Output<'_, S> {
+    #[inline]
+    fn triangle(&mut self, pool: &Pool, ids: [u32; 3], provoking: usize, edges: [bool; 3]) {
+        let (Some(a), Some(b), Some(c)) = (pool.get(ids[0]), pool.get(ids[1]), pool.get(ids[2])) else { return };
+        let (all, any) =
+            (a.head.outcode & b.head.outcode & c.head.outcode, a.head.outcode | b.head.outcode | c.head.outcode);
+        if all & (outcode::FRUSTUM | outcode::USER_ALL) != 0 || any & outcode::NAN != 0 {
+            return;
+        }
+        if any & self.plan.clip_mask == 0 {
+            self.sink.triangle([a, b, c], provoking, edges);
+        } else {
+            self.clipper.triangle(self.plan, pool, ids, provoking, edges, self.sink);
+        }
+    }
+
+    #[inline]
+    fn line(&mut self, pool: &Pool, ids: [u32; 2], provoking: usize, restart: bool) {
+        let (Some(a), Some(b)) = (pool.get(ids[0]), pool.get(ids[1])) else { return };
+        let (all, any) = (a.head.outcode & b.head.outcode, a.head.outcode | b.head.outcode);
+        if all & (outcode::FRUSTUM | outcode::USER_ALL) != 0 || any & outcode::NAN != 0 {
+            return;
+        }
+        if any == 0 {
+            self.sink.line([a, b], provoking, restart);
+        } else {
+            self.clipper.line(self.plan, pool, ids, provoking, restart, self.sink);
+        }
+    }
+
+    #[inline]
+    fn point(&mut self, pool: &Pool, id: u32) {
+        let Some(v) = pool.get(id) else { return };
+        if v.head.outcode == 0 {
+            self.sink.point(v);
+        }
+    }
+
+    /// A polygon edge's flag, as its first vertex gives it.
+    #[inline]
+    fn edge(&self, pool: &Pool, id: u32) -> bool {
+        pool.get(id).is_none_or(|v| v.head.edge)
+    }
+
+    /// A quadrilateral in the order of its outline, whose corner 3 gives the flat colour: its diagonal runs from 1 to 3.
+    #[inline]
+    fn quad(&mut self, pool: &Pool, [a, b, c, d]: [u32; 4], edges: [bool; 4]) {
+        self.triangle(pool, [a, b, d], 2, [edges[0], false, edges[3]]);
+        self.triangle(pool, [b, c, d], 2, [edges[1], edges[2], false]);
+    }
+}
+
+impl Assembler {
+    /// Starts a primitive.
+    pub fn begin(&mut self, mode: GLenum) {
+        *self = Self { mode, ..Self::default() };
+    }
+
+    /// The ids of the vertices that must survive, to be renamed by [`Pool::keep`].
+    pub fn held(&mut self) -> &mut [u32] {
+        &mut self.hold[..self.held]
+    }
+
+    /// Collects groups of `N` vertices.
+    #[inline]
+    fn groups<const N: usize>(&mut self, ids: impl Iterator<Item = u32>, mut each: impl FnMut([u32; N])) {
+        let mut group = [0; N];
+        let mut held = self.held.min(N - 1);
+        group[..held].copy_from_slice(&self.hold[..held]);
+        for id in ids {
+            group[held] = id;
+            held += 1;
+            if held == N {
+                each(group);
+                held = 0;
+            }
+        }
+        self.hold[..held].copy_from_slice(&group[..held]);
+        self.held = held;
+    }
+
+    /// Takes the next vertices of the primitive.
+    pub fn feed<S: Assembled>(&mut self, ids: impl Iterator<Item = u32>, pool: &Pool, out: &mut Output<'_, S>) {
+        match self.mode {
+            GL_POINTS => ids.for_each(|id| out.point(pool, id)),
+            GL_LINES => self.groups(ids, |ids| out.line(pool, ids, 1, true)),
+            GL_TRIANGLES if out.plan.needs & super::batch::needs::EDGE == 0 => {
+                self.groups(ids, |ids| out.triangle(pool, ids, 2, [true; 3]));
+            }
+            GL_TRIANGLES => self.groups(ids, |ids: [u32; 3]| {
+                let edges = ids.map(|id| out.edge(pool, id));
+                out.triangle(pool, ids, 2, edges);
+            }),
+            GL_QUADS => self.groups(ids, |ids: [u32; 4]| {
+                let edges = ids.map(|id| out.edge(pool, id));
+                out.quad(pool, ids, edges);
+            }),
+            GL_LINE_STRIP => ids.for_each(|id| {
+                if self.held == 1 {
+                    out.line(pool, [self.hold[0], id], 1, self.count == 0);
+                    self.count = 1;
+                }
+                (self.hold[0], self.held) = (id, 1);
+            }),
+            GL_LINE_LOOP => ids.for_each(|id| {
+                // Held: the last vertex, then the first.
+                match self.held {
+                    0 => (self.hold[0], self.hold[1], self.held) = (id, id, 2),
+                    _ => {
+                        out.line(pool, [self.hold[0], id], 1, self.count == 0);
+                        (self.hold[0], self.count) = (id, 1);
+                    }
+                }
+            }),
+            GL_TRIANGLE_STRIP => ids.for_each(|id| {
+                if self.held < 2 {
+                    self.hold[self.held] = id;
+                    self.held += 1;
+                    return;
+                }
+                let [a, b, ..] = self.hold;
+                let corners = if self.count & 1 == 0 { [a, b, id] } else { [b, a, id] };
+                out.triangle(pool, corners, 2, [true; 3]);
+                self.count ^= 1;
+                (self.hold[0], self.hold[1]) = (b, id);
+            }),
+            GL_TRIANGLE_FAN => ids.for_each(|id| self.fan(id, pool, out)),
+            GL_POLYGON => ids.for_each(|id| self.polygon(id, pool, out)),
+            GL_QUAD_STRIP => ids.for_each(|id| {
+                if self.held < 3 {
+                    self.hold[self.held] = id;
+                    self.held += 1;
+                    return;
+                }
+                let [a, b, c, _] = self.hold;
+                // The outline is a b id c and id gives the flat colour: turned, so that id stands last.
+                out.quad(pool, [c, a, b, id], [true; 4]);
+                (self.hold[0], self.hold[1], self.held) = (c, id, 2);
+            }),
+            _ => {}
+        }
+    }
+
+    fn fan<S: Assembled>(&mut self, id: u32, pool: &Pool, out: &mut Output<'_, S>) {
+        if self.held < 2 {
+            self.hold[self.held] = id;
+            self.held += 1;
+            return;
+        }
+        out.triangle(pool, [self.hold[0], self.hold[1], id], 2, [true; 3]);
+        self.hold[1] = id;
+    }
+
+    /// A polygon's last edge is known only at its end, so the newest vertex waits: held are first, last, newest.
+    fn polygon<S: Assembled>(&mut self, id: u32, pool: &Pool, out: &mut Output<'_, S>) {
+        if self.held < 3 {
+            self.hold[self.held] = id;
+            self.held += 1;
+            return;
+        }
+        self.polygon_triangle(pool, out, false);
+        (self.hold[1], self.hold[2]) = (self.hold[2], id);
+        self.count = 1;
+    }
+
+    fn polygon_triangle<S: Assembled>(&mut self, pool: &Pool, out: &mut Output<'_, S>, last: bool) {
+        let [first, a, b, _] = self.hold;
+        let edges = [self.count == 0 && out.edge(pool, first), out.edge(pool, a), last && out.edge(pool, b)];
+        out.triangle(pool, [first, a, b], 0, edges);
+    }
+
+    /// Ends the primitive: a loop is closed, a polygon gets its last triangle, the rest is dropped.
+    pub fn end<S: Assembled>(&mut self, pool: &Pool, out: &mut Output<'_, S>) {
+        match self.mode {
+            // A loop of one vertex draws nothing, of two the same segment twice.
+            GL_LINE_LOOP if self.count != 0 => out.line(pool, [self.hold[0], self.hold[1]], 1, false),
+            GL_POLYGON if self.held == 3 => self.polygon_triangle(pool, out, true),
+            _ => {}
+        }
+        self.held = 0;
+        self.count = 0;
+    }
+}

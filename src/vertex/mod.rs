@@ -1,0 +1,46 @@
+//! The vertex pipe (OpenGL 1.5, sections 2.6 to 2.14): from vertices as a program gives them to triangles, lines and
+//! points in clip and window coordinates.
+//!
+//! 64 vertices wait in a [`VertexBatch`](batch::VertexBatch); a [`VertexPlan`](plan::VertexPlan) of the stages that the
+//! state needs takes them through transformation, lighting and texture coordinate generation; the results stand in a
+//! [`Pool`](pool::Pool), where the [`Assembler`](assemble::Assembler) joins them into primitives and
+//! [`Clipper`](clip::Clipper) cuts those that leave the view volume. What comes out goes to an [`Assembled`].
+
+pub mod assemble;
+pub mod batch;
+pub mod clip;
+pub mod lighting;
+pub mod material;
+pub mod normal;
+pub mod pipe;
+pub mod plan;
+pub mod pool;
+pub mod tex_coord;
+pub mod transform;
+pub mod uniforms;
+
+use crate::raster::vertex::Vertex;
+
+/// A processed vertex, lent: its position part and its slots.
+#[derive(Clone, Copy, Debug)]
+pub struct VertexRef<'a> {
+    /// Position part.
+    pub head: &'a Vertex,
+    /// Slots of the layout.
+    pub slots: &'a [f32],
+}
+
+/// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
+/// hit record.
+pub trait Assembled {
+    /// A triangle. `provoking` is the corner whose colour holds under flat shading, `edges[i]` says whether the edge from
+    /// corner i to the next is a boundary edge of its polygon.
+    fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]);
+    /// A line segment; `restart` says that the line stipple starts anew with it.
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool);
+    /// A point.
+    fn point(&mut self, vertex: VertexRef<'_>);
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,115 @@
+//! Processed vertices waiting to be assembled: the output of the vertex stages, lane by lane turned into one record a
+//! vertex. The vertices that a strip, fan or loop still needs when a batch ends move to the front of the pool.
+
+use super::VertexRef;
+use super::batch::VertexBatch;
+use super::plan::VertexPlan;
+use crate::limits::MAX_CLIP_PLANES;
+use crate::raster::vertex::{Vertex, Vertices};
+
+/// Processed vertices.
+#[derive(Clone, Debug, Default)]
+pub struct Pool {
+    /// Position parts and slots.
+    pub vertices: Vertices,
+    /// Distances to the user clip planes, `user_stride` for each vertex.
+    user: Vec<f64>,
+    user_stride: usize,
+    kept: Vec<f32>,
+}
+
+impl Pool {
+    /// Forgets all vertices and takes the shape of a plan's output.
+    pub fn reset(&mut self, plan: &VertexPlan) {
+        self.vertices.clear(plan.layout.stride);
+        self.user.clear();
+        self.user_stride = plan.uniforms.user_count.min(MAX_CLIP_PLANES);
+    }
+
+    /// How many vertices there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.vertices.head.len()
+    }
+
+    /// Whether there is no vertex.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.vertices.head.is_empty()
+    }
+
+    /// A vertex.
+    #[inline]
+    #[must_use]
+    pub fn get(&self, id: u32) -> Option<VertexRef<'_>> {
+        let i = id as usize;
+        let head = self.vertices.head.get(i)?;
+        Some(VertexRef { head, slots: self.vertices.slots(i) })
+    }
+
+    /// Distances of a vertex to the user clip planes.
+    #[must_use]
+    pub fn user(&self, id: u32) -> &[f64] {
+        let i = id as usize * self.user_stride;
+        self.user.get(i..i + self.user_stride).unwrap_or(&[])
+    }
+
+    /// Appends the vertices of a batch that the stages have run over.
+    pub fn append(&mut self, b: &VertexBatch) {
+        let n = b.n.min(crate::batch::LANES);
+        self.vertices.head.extend((0..n).map(|i| Vertex {
+            clip: [b.clip[0][i], b.clip[1][i], b.clip[2][i], b.clip[3][i]],
+            window: [b.window[0][i], b.window[1][i], b.window[2][i]],
+            snapped: [b.snapped[0][i], b.snapped[1][i]],
+            outcode: b.outcode[i],
+            edge: b.edge[i],
+            point_size: b.point_size[i],
+        }));
+        let stride = self.vertices.stride.min(b.out.len());
+        if stride > 0 {
+            let first = self.vertices.slots.len();
+            self.vertices.slots.resize(first + n * stride, 0.0);
+            let lanes = &b.out[..stride];
+            for (i, vertex) in self.vertices.slots[first..].chunks_exact_mut(stride).enumerate().take(n) {
+                for (slot, lanes) in vertex.iter_mut().zip(lanes) {
+                    *slot = lanes[i];
+                }
+            }
+        }
+        if self.user_stride > 0 {
+            for i in 0..n {
+                self.user.extend(b.user.iter().take(self.user_stride).map(|lanes| lanes[i]));
+            }
+        }
+    }
+
+    /// Keeps only the vertices of these ids, at the front and in this order, and renames the ids to where they are.
+    pub fn keep(&mut self, ids: &mut [u32]) {
+        const MOST: usize = 4;
+        let mut heads = [Vertex::default(); MOST];
+        let mut user = [[0.0; MAX_CLIP_PLANES]; MOST];
+        self.kept.clear();
+        let mut count = 0;
+        for (id, (head, distances)) in ids.iter_mut().zip(heads.iter_mut().zip(user.iter_mut())) {
+            if let Some(v) = self.get(*id) {
+                *head = *v.head;
+            }
+            for (to, from) in distances.iter_mut().zip(self.user(*id)) {
+                *to = *from;
+            }
+            let from = *id as usize * self.vertices.stride;
+            let slots = self.vertices.slots.get(from..from + self.vertices.stride).unwrap_or(&[]);
+            self.kept.extend_from_slice(slots);
+            *id = count as u32;
+            count += 1;
+        }
+        self.vertices.head.clear();
+        self.vertices.head.extend_from_slice(&heads[..count]);
+        self.vertices.slots.clear();
+        self.vertices.slots.extend_from_slice(&self.kept);
+        self.user.clear();
+        for distances in &user[..count] {
+            self.user.extend_from_slice(&distances[..self.user_stride]);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! How long a vertex takes: `cargo test --release vertex::tests::speed -- --ignored --nocapture`.
+
+use super::*;
+use crate::enums::*;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Counts and throws away.
+#[derive(Default)]
+struct Count(usize);
+
+impl Assembled for Count {
+    #[inline]
+    fn triangle(&mut self, corners: [VertexRef<'_>; 3], _: usize, _: [bool; 3]) {
+        black_box(corners);
+        self.0 += 1;
+    }
+    fn line(&mut self, _: [VertexRef<'_>; 2], _: usize, _: bool) {}
+    fn point(&mut self, _: VertexRef<'_>) {}
+}
+
+fn measure(name: &str, state: &State, layout: &Layout) {
+    for level in Level::available() {
+        let mut pipe = Pipe::new(level, 64);
+        pipe.rebuild(state, layout, Wants::default());
+        let current = Current { normal: [0.0, 0.6, 0.8], ..Current::default() };
+        let mut sink = Count::default();
+        let vertices = 64 * 3 * 1000;
+        let mut best = [f64::MAX; 3];
+        for _ in 0..10 {
+            let start = Instant::now();
+            pipe.begin(GL_TRIANGLES);
+            for i in 0..vertices {
+                let x = (i % 64) as f32 / 64.0;
+                if pipe.vertex(black_box([x, 0.5, 0.25, 1.0]), &current) {
+                    pipe.run(&mut sink);
+                }
+            }
+            pipe.end();
+            pipe.run(&mut sink);
+            best[0] = best[0].min(start.elapsed().as_secs_f64());
+            let start = Instant::now();
+            pipe.array_begin(GL_TRIANGLES);
+            for _ in 0..vertices / 64 {
+                pipe.batch.n = 64;
+                let first = pipe.array_batch();
+                pipe.array_feed(first..first + 64, &mut sink);
+                pipe.array_flush();
+            }
+            pipe.array_end(&mut sink);
+            best[1] = best[1].min(start.elapsed().as_secs_f64());
+            let start = Instant::now();
+            for _ in 0..vertices / 64 {
+                pipe.batch.n = 64;
+                pipe.array_batch();
+                pipe.array_flush();
+            }
+            best[2] = best[2].min(start.elapsed().as_secs_f64());
+        }
+        let ns = best.map(|t| t * 1e9 / vertices as f64);
+        println!("{name:24} {level:?}: begin/end {:.1}, batches {:.1}, stages {:.1} ns/vertex", ns[0], ns[1], ns[2]);
+    }
+}
+
+#[test]
+#[ignore = "a measurement"]
+fn vertices_a_second() {
+    measure("colour", &plain_state(), &color_layout());
+    let mut layout = color_layout();
+    layout.units[0] =
+        Some(UnitSlots { base: 4, count: 2, has_q: false, period: [1, 1, 0], size: [64, 64, 1], cube: false });
+    (layout.count, layout.stride) = (6, 6);
+    measure("colour, texture", &plain_state(), &layout);
+    let mut state = plain_state();
+    state.lighting.enabled = true;
+    state.lighting.lights[0].enabled = true;
+    measure("lit, texture", &state, &layout);
+    state.lighting.materials[0].specular = [0.5; 4];
+    state.lighting.materials[0].shininess = 20.0;
+    measure("lit specular, texture", &state, &layout);
+    state.lighting.lights[0].position = [0.0, 0.0, 2.0, 1.0];
+    state.lighting.lights[0].attenuation = [1.0, 0.1, 0.0];
+    measure("lit by a lamp", &state, &layout);
+    let mut state = plain_state();
+    for generation in &mut state.texture.units[0].generation[..2] {
+        generation.enabled = true;
+        generation.mode = GL_SPHERE_MAP;
+    }
+    measure("sphere map", &state, &layout);
+}
