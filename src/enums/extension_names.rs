@@ -471,4 +471,6 @@ super::enumerants! {
     GL_TEXTURE_MAX_LOD_SGIS = 0x813B;
     GL_TEXTURE_BASE_LEVEL_SGIS = 0x813C;
     GL_TEXTURE_MAX_LEVEL_SGIS = 0x813D;
+    // A name of OpenGL 2.1 for state that 1.4 has: the secondary colour of the raster position.
+    GL_CURRENT_RASTER_SECONDARY_COLOR = 0x845F;
 }

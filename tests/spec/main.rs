@@ -3,3 +3,4 @@
 
 #[path = "../oracle/mod.rs"]
 mod oracle;
+mod pixels;
