@@ -77,6 +77,15 @@ stage! {
         }
     }
 
+    /// Counts the fragments that passed, for an occlusion query.
+    pub(super) fn COUNT_SAMPLES: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        let mut passed = 0;
+        for m in &b.tex.mask {
+            passed += m & 1;
+        }
+        w.band.samples = w.band.samples.wrapping_add(u64::from(passed));
+    }
+
     /// The new depths of the fragments that have passed all tests.
     pub(super) fn DEPTH_WRITE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         store_lanes!(b, &b.tex.mask, z, w.band.depth);

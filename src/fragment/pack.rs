@@ -102,6 +102,26 @@ stage! {
         }
     }
 
+    /// What blending gave, packed: it is in the store's unit and within its limits.
+    pub(super) fn PACK_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+        let [red, green, blue, alpha] = &b.dst;
+        let whole = |v: f32| round_to_int(v).cast_unsigned();
+        for i in 0..LANES {
+            b.packed[i] = pixel(whole(red[i]), whole(green[i]), whole(blue[i]), whole(alpha[i])) | u.packed_or;
+        }
+    }
+
+    /// The pixels' channels as floats for blending.
+    pub(super) fn UNPACK: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+        for i in 0..LANES {
+            let p = b.packed_dst[i];
+            b.dst[0][i] = (p & 0xFF).cast_signed() as f32;
+            b.dst[1][i] = (p >> 8 & 0xFF).cast_signed() as f32;
+            b.dst[2][i] = (p >> 16 & 0xFF).cast_signed() as f32;
+            b.dst[3][i] = (p >> 24).cast_signed() as f32;
+        }
+    }
+
     /// Reads the pixels.
     pub(super) fn LOAD: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         load_lanes!(b, w.band.rgba8, packed_dst);

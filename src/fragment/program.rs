@@ -1,21 +1,17 @@
 //! The fragment program: the list of stages that the state needs, built once for a draw and run over every batch. What
-//! the state makes a no-op is left out, each time for a condition under which the stage would change no bit; the list of
-//! what was kept and left out, with the reasons, stays with the program so that it can be explained.
+//! the state makes a no-op is left out ([`build`](super::build) decides); the list of what was kept and left out, with
+//! the reasons, stays with the program so that it can be explained.
 
 use super::batch::FragmentBatch;
-use super::compare::Func;
 use super::planes::{Layout, Plane, Planes};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use super::{depth, interpolate, pack};
-use crate::batch::{Level, Stage, Step};
-use crate::enums::GL_NONE;
-use crate::framebuffer::{Band, FramebufferFormat};
-use crate::limits::MAX_TEXTURE_UNITS;
-use crate::state::State;
-use crate::texture::object::TextureObject;
+use crate::batch::Step;
+use crate::framebuffer::Band;
+use crate::texture::env::EnvPlan;
+use crate::texture::sampler::Sampler;
 
 /// How a program is to be built, apart from the state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Leave nothing out that could be kept: a program that gives the same bytes, for tests of exactly that.
     pub general: bool,
@@ -24,6 +20,15 @@ pub struct Options {
     pub coverage: bool,
     /// An occlusion query is active: count the fragments that pass the tests in [`Band::samples`].
     pub count_samples: bool,
+    /// Bit u: vertices may give unit u a q that is not 1. A q from texture generation or the texture matrix is found in
+    /// the state.
+    pub q_units: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { general: false, coverage: false, count_samples: false, q_units: u32::MAX }
+    }
 }
 
 /// What became of a stage.
@@ -33,7 +38,7 @@ pub enum Fate {
     Kept,
     /// It is not: it would change nothing.
     LeftOut,
-    /// It is done earlier or less often than for every fragment in the spec's order.
+    /// It is done earlier or less often than for every fragment in the specification's order.
     Hoisted,
 }
 
@@ -50,10 +55,14 @@ pub struct Decision {
 
 /// One step of a program.
 #[derive(Clone, Copy, Debug)]
-enum Action {
+pub(super) enum Action {
     /// A fragment stage.
     Stage(Step<FragFn>),
-    /// Go on only if a fragment is alive.
+    /// Samples the texture of the sampler with this index.
+    Sample(usize),
+    /// Runs the texture environments.
+    Environments,
+    /// Goes on only if a fragment is alive.
     StopIfDead,
 }
 
@@ -68,63 +77,15 @@ pub struct Program {
     pub draws_nothing: bool,
     /// Whether the rasteriser has to write [`FragmentBatch::coverage`].
     pub coverage: bool,
-    /// What was decided about each stage.
+    /// What was decided about each stage, in the order of the specification.
     pub decisions: Vec<Decision>,
-    level: Level,
-    uniforms: FragUniforms,
-    actions: Vec<Action>,
+    pub(super) uniforms: FragUniforms,
+    pub(super) actions: Vec<Action>,
+    pub(super) samplers: Vec<Sampler>,
+    pub(super) environments: Option<EnvPlan>,
 }
 
 impl Program {
-    /// The program for a state. `textures` are the complete textures of the units that have texturing on.
-    #[must_use]
-    pub fn build(
-        level: Level,
-        state: &State,
-        _textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
-        format: &FramebufferFormat,
-        options: Options,
-    ) -> Self {
-        let mut p = Self {
-            layout: Layout::default(),
-            reads_framebuffer: false,
-            draws_nothing: false,
-            coverage: options.coverage,
-            decisions: Vec::new(),
-            level: level.at_most_available(),
-            uniforms: FragUniforms::default(),
-            actions: Vec::new(),
-        };
-        let color_mask = crate::framebuffer::packed_mask(state.color_buffer.color_mask);
-        p.uniforms.color_mask = if state.color_buffer.draw_buffer == GL_NONE { 0 } else { color_mask };
-        p.uniforms.packed_or = crate::framebuffer::no_alpha_bits(format);
-        p.uniforms.depth_max = f64::from(format.depth_max());
-        p.layout.color = Some(0);
-        p.layout.count = 4;
-        p.layout.stride = 4;
-        p.uniforms.layout = p.layout.clone();
-        p.stage(&depth::BEGIN, 0);
-        if state.depth.test && format.depth_bits != 0 {
-            let func = Func::from_enum(state.depth.func);
-            p.stage(&depth::DEPTH, 0);
-            p.stage(&depth::DEPTH_TEST, (func as u32) << 1 | u32::from(state.depth.mask));
-            p.actions.push(Action::StopIfDead);
-            p.reads_framebuffer = true;
-        }
-        p.stage(&pack::COLOR_PACKED, interpolate::FIRST);
-        if p.uniforms.color_mask != u32::MAX {
-            p.stage(&pack::LOAD, 0);
-            p.stage(&pack::COLOR_MASK, 0);
-        }
-        p.stage(&pack::STORE, 0);
-        p
-    }
-
-    /// Appends a stage.
-    fn stage(&mut self, stage: &Stage<FragFn>, arg: u32) {
-        self.actions.push(Action::Stage(Step { name: stage.name, run: stage.levels[self.level as usize], arg }));
-    }
-
     /// Runs the program over a batch: `segments` and `tex.n` are set, and for lanes of segments that are no rows
     /// `offset`, `dx` and `dy`. `planes` and `pool` are the scene's. The batch can be cleared and filled again after it.
     #[inline]
@@ -134,14 +95,59 @@ impl Program {
             match action {
                 Action::Stage(step) => {
                     #[expect(unsafe_code, reason = "the level was checked when the program was built")]
-                    // SAFETY: `build` takes no level that the processor does not have.
+                    // SAFETY: a program is built for no level that the processor does not have.
                     unsafe {
                         (step.run)(batch, &self.uniforms, &mut work, step.arg);
+                    }
+                }
+                Action::Sample(i) => {
+                    if let Some(sampler) = self.samplers.get(*i) {
+                        sampler.run(&mut batch.tex);
+                    }
+                }
+                Action::Environments => {
+                    if let Some(environments) = &self.environments {
+                        environments.run(&mut batch.tex);
                     }
                 }
                 Action::StopIfDead if !batch.alive => return,
                 Action::StopIfDead => {}
             }
         }
+    }
+
+    /// The names of the stages in the order in which they run.
+    #[must_use]
+    pub fn stage_names(&self) -> Vec<&'static str> {
+        let mut names = Vec::new();
+        for action in &self.actions {
+            match action {
+                Action::Stage(step) => names.push(step.name),
+                Action::Sample(i) => {
+                    names.extend(self.samplers.get(*i).iter().flat_map(|s| s.plan.steps.iter().map(|s| s.name)));
+                }
+                Action::Environments => {
+                    names.extend(self.environments.iter().flat_map(|e| e.plan.steps.iter().map(|s| s.name)));
+                }
+                Action::StopIfDead => {}
+            }
+        }
+        names
+    }
+
+    /// The decisions as a table in plain text.
+    #[must_use]
+    pub fn explain(&self) -> String {
+        let width = self.decisions.iter().map(|d| d.stage.len()).max().unwrap_or(0);
+        let mut text = String::new();
+        for d in &self.decisions {
+            let fate = match d.fate {
+                Fate::Kept => "kept",
+                Fate::LeftOut => "left out",
+                Fate::Hoisted => "hoisted",
+            };
+            text.push_str(&format!("{:width$}  {fate:8}  {}\n", d.stage, d.reason));
+        }
+        text
     }
 }

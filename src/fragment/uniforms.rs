@@ -2,7 +2,9 @@
 //! stages run is the program's matter; nothing here selects code apart from table indices.
 
 use super::batch::FragmentBatch;
+use super::blend::{Equation, Factor};
 use super::planes::{Layout, Plane, Planes};
+use super::stencil::StencilOp;
 use crate::framebuffer::Band;
 
 /// The numbers behind a program.
@@ -16,6 +18,52 @@ pub struct FragUniforms {
     pub packed_or: u32,
     /// Bits of a packed pixel that may be written.
     pub color_mask: u32,
+    /// What the store's unit is: 255 for bytes, 1 for floats.
+    pub scale: f32,
+    /// The largest value that blending may give: 255 for bytes; floats have no limit.
+    pub limit: f32,
+    /// The alpha test's reference value in [0, 1].
+    pub alpha_ref: f32,
+    /// The fog's colour.
+    pub fog_color: [f32; 3],
+    /// Density of exponential fog, 1 / (end - start) of linear fog.
+    pub fog_scale: f32,
+    /// Where linear fog ends.
+    pub fog_end: f32,
+    /// The stencil test.
+    pub stencil: StencilUniforms,
+    /// Blending.
+    pub blend: BlendUniforms,
+}
+
+/// The numbers of the stencil test.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StencilUniforms {
+    /// Reference value, limited to a byte.
+    pub reference: u32,
+    /// Which bits are compared.
+    pub value_mask: u32,
+    /// Which bits are written.
+    pub write_mask: u32,
+    /// Operation where the stencil test fails.
+    pub fail: StencilOp,
+    /// Operation where the depth test fails.
+    pub depth_fail: StencilOp,
+    /// Operation where both pass.
+    pub pass: StencilOp,
+}
+
+/// The numbers of blending.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BlendUniforms {
+    /// Source factors of RGB and alpha.
+    pub src: [Factor; 2],
+    /// Destination factors of RGB and alpha.
+    pub dst: [Factor; 2],
+    /// The equation.
+    pub equation: Equation,
+    /// The constant colour.
+    pub color: [f32; 4],
 }
 
 /// What a stage works with besides the batch: the primitives of the scene and the rows of the framebuffer.

@@ -1,0 +1,230 @@
+//! Blending (OpenGL 1.5, section 4.1.7). It is done in floats in the unit of the colour store: bytes are whole numbers
+//! from 0 to 255, so that what is in the framebuffer needs no division, a factor of 1 or 0 is exact, and the result is
+//! rounded once. With S the source's colour in that unit and D the framebuffer's:
+//!
+//! ```text
+//!   ADD  S s + D d     SUBTRACT  S s - D d     REVERSE_SUBTRACT  D d - S s     MIN, MAX  of S and D, without factors
+//! ```
+
+use super::batch::FragmentBatch;
+use super::uniforms::{BlendUniforms, FragFn, FragUniforms, Work};
+use crate::batch::{LANES, Stage, stage};
+use crate::enums::*;
+use crate::num::{clamp_f32, clamp01, max_f32, min_f32};
+use crate::texture::batch::Lanes;
+
+/// A blending factor.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Factor {
+    /// 0.
+    Zero,
+    /// 1.
+    #[default]
+    One,
+    /// The source's channel.
+    SrcColor,
+    /// 1 less the source's channel.
+    OneMinusSrcColor,
+    /// The framebuffer's channel.
+    DstColor,
+    /// 1 less the framebuffer's channel.
+    OneMinusDstColor,
+    /// The source's alpha.
+    SrcAlpha,
+    /// 1 less the source's alpha.
+    OneMinusSrcAlpha,
+    /// The framebuffer's alpha.
+    DstAlpha,
+    /// 1 less the framebuffer's alpha.
+    OneMinusDstAlpha,
+    /// The constant colour's channel.
+    ConstantColor,
+    /// 1 less the constant colour's channel.
+    OneMinusConstantColor,
+    /// The constant colour's alpha.
+    ConstantAlpha,
+    /// 1 less the constant colour's alpha.
+    OneMinusConstantAlpha,
+    /// For RGB the smaller of source alpha and 1 less the framebuffer's alpha, for alpha 1.
+    SrcAlphaSaturate,
+}
+
+const FACTORS: [(GLenum, Factor); 15] = [
+    (GL_ZERO, Factor::Zero),
+    (GL_ONE, Factor::One),
+    (GL_SRC_COLOR, Factor::SrcColor),
+    (GL_ONE_MINUS_SRC_COLOR, Factor::OneMinusSrcColor),
+    (GL_DST_COLOR, Factor::DstColor),
+    (GL_ONE_MINUS_DST_COLOR, Factor::OneMinusDstColor),
+    (GL_SRC_ALPHA, Factor::SrcAlpha),
+    (GL_ONE_MINUS_SRC_ALPHA, Factor::OneMinusSrcAlpha),
+    (GL_DST_ALPHA, Factor::DstAlpha),
+    (GL_ONE_MINUS_DST_ALPHA, Factor::OneMinusDstAlpha),
+    (GL_CONSTANT_COLOR, Factor::ConstantColor),
+    (GL_ONE_MINUS_CONSTANT_COLOR, Factor::OneMinusConstantColor),
+    (GL_CONSTANT_ALPHA, Factor::ConstantAlpha),
+    (GL_ONE_MINUS_CONSTANT_ALPHA, Factor::OneMinusConstantAlpha),
+    (GL_SRC_ALPHA_SATURATE, Factor::SrcAlphaSaturate),
+];
+
+impl Factor {
+    /// The factor of an enumerant; ONE for what is none (the commands let no such value into the state).
+    #[must_use]
+    pub fn from_enum(value: GLenum) -> Self {
+        FACTORS.iter().find(|row| row.0 == value).map_or(Self::One, |row| row.1)
+    }
+}
+
+/// How source and framebuffer are put together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Equation {
+    /// The sum of the products.
+    #[default]
+    Add,
+    /// The source's product less the framebuffer's.
+    Subtract,
+    /// The framebuffer's product less the source's.
+    ReverseSubtract,
+    /// The smaller of the two colours.
+    Min,
+    /// The larger of the two colours.
+    Max,
+}
+
+impl Equation {
+    /// The equation of an enumerant; ADD for what is none (the commands let no such value into the state).
+    #[must_use]
+    pub fn from_enum(value: GLenum) -> Self {
+        match value {
+            GL_FUNC_SUBTRACT => Self::Subtract,
+            GL_FUNC_REVERSE_SUBTRACT => Self::ReverseSubtract,
+            GL_MIN => Self::Min,
+            GL_MAX => Self::Max,
+            _ => Self::Add,
+        }
+    }
+}
+
+/// The factor of channel `c` for all lanes.
+#[inline(always)]
+fn factor(f: Factor, c: usize, b: &FragmentBatch, u: &FragUniforms) -> Lanes {
+    // From the store's unit to [0, 1]: 255 times the rounded 1/255 is exactly 1.
+    let unit = 1.0 / u.scale;
+    let (src, dst) = (&b.tex.previous, &b.dst);
+    let constant = u.blend.color;
+    let mut out = [0.0; LANES];
+    #[inline(always)]
+    fn each(out: &mut Lanes, f: impl Fn(usize) -> f32) {
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = f(i);
+        }
+    }
+    match f {
+        Factor::Zero => {}
+        Factor::One => out = [1.0; LANES],
+        Factor::SrcColor => each(&mut out, |i| clamp01(src[c][i])),
+        Factor::OneMinusSrcColor => each(&mut out, |i| 1.0 - clamp01(src[c][i])),
+        Factor::DstColor => each(&mut out, |i| dst[c][i] * unit),
+        Factor::OneMinusDstColor => each(&mut out, |i| 1.0 - dst[c][i] * unit),
+        Factor::SrcAlpha => each(&mut out, |i| clamp01(src[3][i])),
+        Factor::OneMinusSrcAlpha => each(&mut out, |i| 1.0 - clamp01(src[3][i])),
+        Factor::DstAlpha => each(&mut out, |i| dst[3][i] * unit),
+        Factor::OneMinusDstAlpha => each(&mut out, |i| 1.0 - dst[3][i] * unit),
+        Factor::ConstantColor => out = [constant[c]; LANES],
+        Factor::OneMinusConstantColor => out = [1.0 - constant[c]; LANES],
+        Factor::ConstantAlpha => out = [constant[3]; LANES],
+        Factor::OneMinusConstantAlpha => out = [1.0 - constant[3]; LANES],
+        Factor::SrcAlphaSaturate if c == 3 => out = [1.0; LANES],
+        Factor::SrcAlphaSaturate => each(&mut out, |i| min_f32(clamp01(src[3][i]), 1.0 - dst[3][i] * unit)),
+    }
+    out
+}
+
+/// Channel `c` of source and framebuffer put together, limited to what the store can hold.
+#[inline(always)]
+fn combine(b: &FragmentBatch, u: &FragUniforms, c: usize, f: impl Fn(f32, f32, usize) -> f32) -> Lanes {
+    let mut out = [0.0; LANES];
+    let (src, dst) = (&b.tex.previous[c], &b.dst[c]);
+    // Floats are only freed of NaN.
+    let low = if u.scale == 1.0 { -u.limit } else { 0.0 };
+    for i in 0..LANES {
+        out[i] = clamp_f32(f(clamp01(src[i]) * u.scale, dst[i], i), low, u.limit);
+    }
+    out
+}
+
+stage! {
+    /// Blending with any factors and equation.
+    pub(super) fn BLEND: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+        let mut out = [[0.0; LANES]; 4];
+        for c in 0..4 {
+            let half = usize::from(c == 3);
+            out[c] = match u.blend.equation {
+                Equation::Min => combine(b, u, c, |s, d, _| min_f32(s, d)),
+                Equation::Max => combine(b, u, c, |s, d, _| max_f32(s, d)),
+                equation => {
+                    let s_factor = factor(u.blend.src[half], c, b, u);
+                    let d_factor = factor(u.blend.dst[half], c, b, u);
+                    match equation {
+                        Equation::Subtract => combine(b, u, c, |s, d, i| s * s_factor[i] - d * d_factor[i]),
+                        Equation::ReverseSubtract => combine(b, u, c, |s, d, i| d * d_factor[i] - s * s_factor[i]),
+                        _ => combine(b, u, c, |s, d, i| s * s_factor[i] + d * d_factor[i]),
+                    }
+                }
+            };
+        }
+        b.dst = out;
+    }
+
+    /// The usual pairs with the source's alpha in one loop a channel: number 0 is SRC_ALPHA, ONE_MINUS_SRC_ALPHA, 1 is
+    /// ONE, ONE_MINUS_SRC_ALPHA, 2 is SRC_ALPHA, ONE. The same sums as in [`BLEND`], without the products by 1.
+    pub(super) fn BLEND_ALPHA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+        let mut alpha = [0.0; LANES];
+        for i in 0..LANES {
+            alpha[i] = clamp01(b.tex.previous[3][i]);
+        }
+        for c in 0..4 {
+            b.dst[c] = match arg {
+                0 => combine(b, u, c, |s, d, i| s * alpha[i] + d * (1.0 - alpha[i])),
+                1 => combine(b, u, c, |s, d, i| s + d * (1.0 - alpha[i])),
+                _ => combine(b, u, c, |s, d, i| s * alpha[i] + d),
+            };
+        }
+    }
+
+    /// ONE, ONE: [`BLEND`] without the products by 1.
+    pub(super) fn BLEND_ADD: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+        for c in 0..4 {
+            b.dst[c] = combine(b, u, c, |s, d, _| s + d);
+        }
+    }
+
+    /// The product of both colours: number 0 is DST_COLOR, ZERO, 1 is ZERO, SRC_COLOR. [`BLEND`] without the products
+    /// by 0.
+    pub(super) fn BLEND_MULTIPLY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+        let unit = 1.0 / u.scale;
+        for c in 0..4 {
+            let src = &b.tex.previous[c];
+            b.dst[c] = if arg == 0 {
+                combine(b, u, c, |s, d, _| s * (d * unit))
+            } else {
+                combine(b, u, c, |_, d, i| d * clamp01(src[i]))
+            };
+        }
+    }
+}
+
+/// The stage for a pair of factors, and its number.
+pub(super) fn stage_for(blend: &BlendUniforms, general: bool) -> (&'static Stage<FragFn>, u32) {
+    let same = blend.src[0] == blend.src[1] && blend.dst[0] == blend.dst[1] && blend.equation == Equation::Add;
+    match (blend.src[0], blend.dst[0]) {
+        _ if general || !same => (&BLEND, 0),
+        (Factor::SrcAlpha, Factor::OneMinusSrcAlpha) => (&BLEND_ALPHA, 0),
+        (Factor::One, Factor::OneMinusSrcAlpha) => (&BLEND_ALPHA, 1),
+        (Factor::SrcAlpha, Factor::One) => (&BLEND_ALPHA, 2),
+        (Factor::One, Factor::One) => (&BLEND_ADD, 0),
+        (Factor::DstColor, Factor::Zero) => (&BLEND_MULTIPLY, 0),
+        (Factor::Zero, Factor::SrcColor) => (&BLEND_MULTIPLY, 1),
+        _ => (&BLEND, 0),
+    }
+}

@@ -1,0 +1,108 @@
+//! The stencil test (OpenGL 1.5, section 4.1.5). It comes in two stages, because what is written depends on the depth test
+//! between them: [`STENCIL_TEST`] compares and notes who failed, [`STENCIL_WRITE`] applies the operations of the three
+//! cases (stencil failed, depth failed, both passed) and writes the bits that the mask lets through.
+
+use super::batch::FragmentBatch;
+use super::buffers::{load, store};
+use super::compare::{Func, any, compare};
+use super::segments::{Lane, ones};
+use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::batch::{LANES, stage};
+use crate::enums::{GL_DECR, GL_DECR_WRAP, GL_INCR, GL_INCR_WRAP, GL_INVERT, GL_REPLACE, GL_ZERO, GLenum};
+
+/// What happens to a stencil value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StencilOp {
+    /// It stays.
+    #[default]
+    Keep,
+    /// It becomes 0.
+    Zero,
+    /// It becomes the reference value.
+    Replace,
+    /// One more, at most the largest value.
+    Incr,
+    /// One less, at least 0.
+    Decr,
+    /// All bits change.
+    Invert,
+    /// One more, 0 after the largest value.
+    IncrWrap,
+    /// One less, the largest value after 0.
+    DecrWrap,
+}
+
+impl StencilOp {
+    /// The operation of an enumerant; KEEP for what is none (the commands let no such value into the state).
+    #[must_use]
+    pub fn from_enum(value: GLenum) -> Self {
+        match value {
+            GL_ZERO => Self::Zero,
+            GL_REPLACE => Self::Replace,
+            GL_INCR => Self::Incr,
+            GL_DECR => Self::Decr,
+            GL_INVERT => Self::Invert,
+            GL_INCR_WRAP => Self::IncrWrap,
+            GL_DECR_WRAP => Self::DecrWrap,
+            _ => Self::Keep,
+        }
+    }
+}
+
+/// Applies an operation to the lanes of a mask.
+#[inline(always)]
+fn apply(op: StencilOp, reference: u32, mask: &[u32; LANES], s: &mut [u32; LANES]) {
+    #[inline(always)]
+    fn each(mask: &[u32; LANES], s: &mut [u32; LANES], f: impl Fn(u32) -> u32) {
+        for i in 0..LANES {
+            s[i] = u32::select(mask[i], f(s[i]), s[i]);
+        }
+    }
+    match op {
+        StencilOp::Keep => {}
+        StencilOp::Zero => each(mask, s, |_| 0),
+        StencilOp::Replace => each(mask, s, |_| reference),
+        StencilOp::Incr => each(mask, s, |s| s + (ones(s < 255) & 1)),
+        StencilOp::Decr => each(mask, s, |s| s - (ones(s > 0) & 1)),
+        StencilOp::Invert => each(mask, s, |s| !s & 0xFF),
+        StencilOp::IncrWrap => each(mask, s, |s| s.wrapping_add(1) & 0xFF),
+        StencilOp::DecrWrap => each(mask, s, |s| s.wrapping_sub(1) & 0xFF),
+    }
+}
+
+stage! {
+    /// Reads the stencil buffer and kills the fragments that fail.
+    pub(super) fn STENCIL_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let mut bytes = [0; LANES];
+        load(&b.segments, b.segment_count, &b.offset, w.band.stencil, &mut bytes);
+        let mut masked = [0; LANES];
+        for i in 0..LANES {
+            b.stencil[i] = u32::from(bytes[i]);
+            masked[i] = b.stencil[i] & u.stencil.value_mask;
+        }
+        b.before[0] = b.tex.mask;
+        compare(Func::from_arg(arg), &[u.stencil.reference & u.stencil.value_mask; LANES], &masked, &mut b.tex.mask);
+        b.before[1] = b.tex.mask;
+        b.alive = any(&b.tex.mask);
+    }
+
+    /// Changes the stencil buffer, for all fragments that came to the stencil test.
+    pub(super) fn STENCIL_WRITE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        let s = &u.stencil;
+        let (mut failed, mut depth_failed) = ([0; LANES], [0; LANES]);
+        for i in 0..LANES {
+            failed[i] = b.before[0][i] & !b.before[1][i];
+            depth_failed[i] = b.before[1][i] & !b.tex.mask[i];
+        }
+        let mut new = b.stencil;
+        apply(s.fail, s.reference, &failed, &mut new);
+        apply(s.depth_fail, s.reference, &depth_failed, &mut new);
+        apply(s.pass, s.reference, &b.tex.mask, &mut new);
+        let mut bytes = [0; LANES];
+        for i in 0..LANES {
+            bytes[i] = ((new[i] & s.write_mask) | (b.stencil[i] & !s.write_mask)) as u8;
+        }
+        let from = &bytes;
+        store(&b.segments, b.segment_count, &b.offset, &b.before[0], from, w.band.stencil);
+    }
+}
