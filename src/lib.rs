@@ -2,6 +2,8 @@
 
 pub mod batch;
 pub mod c;
+#[cfg(feature = "capi")]
+pub mod capi;
 pub mod context;
 pub mod enums;
 pub mod error;

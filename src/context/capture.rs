@@ -4,7 +4,6 @@
 
 use super::Pixels;
 use super::engine::Engine;
-use super::hooks::Questions as _;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
 use crate::pixels::format::{PixelFormat, Type};

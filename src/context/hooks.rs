@@ -41,24 +41,12 @@ pub(crate) trait Questions {
     fn current_list_base(&mut self) -> u32 {
         0
     }
-    /// Bytes that `GetTexImage` writes; 0 if it is an error.
-    fn tex_image_bytes(&mut self, _target: GLenum, _level: i32, _format: GLenum, _type: GLenum) -> usize {
-        0
-    }
-    /// Bytes that `GetCompressedTexImage` writes; 0 if it is an error.
-    fn compressed_tex_image_bytes(&mut self, _target: GLenum, _level: i32) -> usize {
-        0
-    }
     /// Bytes that a query of the imaging subset writes; 0 if it is an error.
     fn imaging_bytes(&mut self, _target: GLenum, _format: GLenum, _type: GLenum) -> usize {
         0
     }
     /// Whether a buffer object is bound to `ELEMENT_ARRAY_BUFFER`: then `DrawElements` takes an offset.
     fn element_array_buffer_bound(&mut self) -> bool {
-        false
-    }
-    /// Whether a buffer object is bound to `ARRAY_BUFFER`: then pointer commands take an offset.
-    fn array_buffer_bound(&mut self) -> bool {
         false
     }
     /// The values of the enabled arrays at an index, for a display list.

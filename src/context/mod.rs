@@ -43,7 +43,7 @@ pub use errors::{
     DEBUG_SEVERITY_HIGH, DEBUG_SEVERITY_MEDIUM, DEBUG_SOURCE_API, DEBUG_TYPE_ERROR, DEBUG_TYPE_OTHER, DebugCallback,
     DebugMessage, Error,
 };
-pub use pixels_arg::{ArrayData, IndexLists, Indices, NULL, Null, Pixels, PixelsMut};
+pub use pixels_arg::{ArrayData, ClientAddress, IndexLists, Indices, NULL, Null, Pixels, PixelsMut};
 pub use trace::{Call, TraceCallback};
 
 pub(crate) use params::Params;

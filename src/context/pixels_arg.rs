@@ -72,7 +72,60 @@ pub enum ArrayData {
     /// changes its array calls the pointer command again, or uses a buffer object.)
     Values(Arc<[u8]>),
     /// Memory of a C program, read when something is drawn. An offset if a buffer object is bound.
-    Address(usize),
+    Client(ClientAddress),
+}
+
+/// An address of a C program's memory, of unknown length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClientAddress(usize);
+
+impl ClientAddress {
+    /// Takes an address.
+    ///
+    /// # Safety
+    /// Whenever something is drawn from the array that it belongs to, the elements that are drawn must lie in readable
+    /// memory at this address: what GL asks of the pointer of a vertex array.
+    #[expect(unsafe_code, reason = "a raw address from C")]
+    #[must_use]
+    pub unsafe fn new(address: usize) -> Self {
+        Self(address)
+    }
+
+    /// The number.
+    #[must_use]
+    pub fn get(self) -> usize {
+        self.0
+    }
+}
+
+impl ArrayData {
+    /// Bytes of an array that is not in a buffer object: those that a draw reads at a distance from the start. `None`
+    /// where there is no memory or not enough.
+    #[must_use]
+    pub fn bytes(&self, offset: usize, len: usize) -> Option<&[u8]> {
+        match self {
+            ArrayData::Offset(_) => None,
+            ArrayData::Values(values) => values.get(offset..)?.get(..len),
+            ArrayData::Client(ClientAddress(0)) => None,
+            ArrayData::Client(ClientAddress(address)) => {
+                let start = address.checked_add(offset)?;
+                start.checked_add(len).filter(|end| *end <= isize::MAX.cast_unsigned())?;
+                #[expect(unsafe_code, reason = "client memory has no other door")]
+                // SAFETY: `ClientAddress::new` was promised that what a draw reads is readable.
+                Some(unsafe { std::slice::from_raw_parts(start as *const u8, len) })
+            }
+        }
+    }
+
+    /// What `GetPointerv` reports: the address or the offset.
+    #[must_use]
+    pub fn address(&self) -> usize {
+        match self {
+            ArrayData::Offset(offset) => *offset,
+            ArrayData::Values(values) => values.as_ptr() as usize,
+            ArrayData::Client(address) => address.get(),
+        }
+    }
 }
 
 /// The index list of `DrawElements` and its sisters.

@@ -110,7 +110,7 @@ impl Show for super::ArrayData {
         match self {
             Self::Offset(offset) => drop(write!(text, "offset {offset}")),
             Self::Values(bytes) => drop(write!(text, "&[{} bytes]", bytes.len())),
-            Self::Address(address) => drop(write!(text, "{address:#x}")),
+            Self::Client(address) => drop(write!(text, "{:#x}", address.get())),
         }
     }
 }

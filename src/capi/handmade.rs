@@ -1,0 +1,112 @@
+//! The few commands whose C form keeps a pointer or takes pointers to pointers.
+#![expect(non_snake_case, reason = "the names are GL's own")]
+
+use super::osmesa::ClientBuffer;
+use super::{current, memory};
+use crate::context::{Indices, counts};
+use crate::enums::*;
+use std::ffi::c_void;
+
+/// # Safety
+/// `count` and `indices` must hold `drawcount` values, and each list as many indices as its count says.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn glMultiDrawElements(
+    mode: GLenum,
+    count: *const i32,
+    type_: GLenum,
+    indices: *const *const c_void,
+    drawcount: i32,
+) {
+    current::with(|cx| {
+        if indices.is_null() {
+            return;
+        }
+        // SAFETY: the caller's promise.
+        let count = unsafe { memory::slice(count, counts::count(drawcount)) };
+        for (i, n) in count.iter().enumerate() {
+            // SAFETY: the caller's promise.
+            let list: Indices<'_> = unsafe { memory::indices(cx, *indices.add(i), *n, type_) };
+            cx.draw_elements(mode, *n, type_, list);
+        }
+    });
+}
+
+/// # Safety
+/// See [`glMultiDrawElements`].
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn glMultiDrawElementsEXT(
+    mode: GLenum,
+    count: *const i32,
+    type_: GLenum,
+    indices: *const *const c_void,
+    drawcount: i32,
+) {
+    // SAFETY: the caller's promise.
+    unsafe { glMultiDrawElements(mode, count, type_, indices, drawcount) }
+}
+
+/// # Safety
+/// `buffer` must be writable for `size` values until RenderMode is called or another buffer is set.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn glFeedbackBuffer(size: i32, type_: GLenum, buffer: *mut f32) {
+    current::with_handle(|os| {
+        os.context.feedback_buffer(size, type_);
+        os.feedback = ClientBuffer { address: buffer, len: counts::count(size) };
+    });
+}
+
+/// # Safety
+/// `buffer` must be writable for `size` values until RenderMode is called or another buffer is set.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn glSelectBuffer(size: i32, buffer: *mut u32) {
+    current::with_handle(|os| {
+        os.context.select_buffer(size);
+        os.select = ClientBuffer { address: buffer, len: counts::count(size) };
+    });
+}
+
+/// # Safety
+/// The buffers of FeedbackBuffer and SelectBuffer must still be writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn glRenderMode(mode: GLenum) -> i32 {
+    current::with_handle(|os| {
+        let mut ended = [0];
+        os.context.get_integerv(GL_RENDER_MODE, &mut ended);
+        let result = os.context.render_mode(mode);
+        match ended[0].cast_unsigned() {
+            // SAFETY: the caller's promise.
+            GL_FEEDBACK => unsafe { os.feedback.write(os.context.feedback_values()) },
+            // SAFETY: the caller's promise.
+            GL_SELECT => unsafe { os.select.write(os.context.select_values()) },
+            _ => {}
+        }
+        result
+    })
+}
+
+/// Maps the buffer object that is bound to a target. The address is good until `glUnmapBuffer`.
+#[unsafe(no_mangle)]
+pub extern "C" fn glMapBuffer(target: GLenum, access: GLenum) -> *mut c_void {
+    let address = current::with(|cx| cx.map_buffer(target, access).map(|bytes| bytes.as_mut_ptr() as usize));
+    address.unwrap_or(0) as *mut c_void
+}
+
+/// See [`glMapBuffer`].
+#[unsafe(no_mangle)]
+pub extern "C" fn glMapBufferARB(target: GLenum, access: GLenum) -> *mut c_void {
+    glMapBuffer(target, access)
+}
+
+/// The address of a function of this file.
+pub(super) fn find(name: &str) -> Option<*const c_void> {
+    Some(match name {
+        "glMultiDrawElements" => glMultiDrawElements as *const c_void,
+        "glMultiDrawElementsEXT" => glMultiDrawElementsEXT as *const c_void,
+        "glFeedbackBuffer" => glFeedbackBuffer as *const c_void,
+        "glSelectBuffer" => glSelectBuffer as *const c_void,
+        "glRenderMode" => glRenderMode as *const c_void,
+        "glMapBuffer" => glMapBuffer as *const c_void,
+        "glMapBufferARB" => glMapBufferARB as *const c_void,
+        _ => return None,
+    })
+}
