@@ -12,28 +12,33 @@
 //! above a whole number before it counts as more, so that rounding does not turn a square footprint into N = 2.
 
 use super::batch::{TexBatch, Work};
-use super::lod::{lambda, spans};
+use super::lod::{lambda, span};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::batch::{LANES, Stage, stage};
 use crate::num::{clamp_f32, floor_f32, max_f32, min_f32};
 
 #[inline(always)]
 fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
+    let TexBatch { coord, ddx, ddy, lambda: out, work, .. } = b;
+    let Work { lane_taps, tap_step, axis, center, .. } = work;
+    let mut along_x = [0u32; LANES];
     for i in 0..LANES {
-        let (x, y) = spans::<DIMS>(b, u, i);
-        let along_x = x > y;
+        let (x, y) = (span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
+        along_x[i] = if x > y { u32::MAX } else { 0 };
         let (long, short) = (max_f32(x, y), min_f32(x, y));
         // 0 / 0 has no ratio: one tap. What is over 0 has the greatest.
         let ratio = clamp_f32((long / short).sqrt() - 0.000_976_562_5, 1.0, u.max_taps);
         let taps = -floor_f32(-ratio);
-        b.work.lane_taps[i] = taps;
-        b.work.tap_step[i] = 1.0 / (taps + 1.0);
-        b.lambda[i] = lambda(long / (taps * taps), u);
-        for c in 0..DIMS {
-            b.work.axis[c][i] = if along_x { b.ddx[c][i] } else { b.ddy[c][i] };
-        }
+        lane_taps[i] = taps;
+        tap_step[i] = 1.0 / (taps + 1.0);
+        out[i] = lambda(long / (taps * taps), u);
     }
-    b.work.center = b.coord;
+    for c in 0..DIMS {
+        for i in 0..LANES {
+            axis[c][i] = if along_x[i] != 0 { ddx[c][i] } else { ddy[c][i] };
+        }
+        center[c] = coord[c];
+    }
 }
 
 /// Sets how many taps the batch needs: the most that a live lane has.

@@ -49,10 +49,6 @@ pub(super) struct Work {
     pub first: [[i32; LANES]; 3],
     /// For each coordinate the weight of the second texel.
     pub weight: [Lanes; 3],
-    /// The image of a pass where all live lanes read the same one; `None` where it differs from lane to lane.
-    pub same: [Option<usize>; 2],
-    /// Whether the second pass has any weight in any live lane.
-    pub two_levels: bool,
     /// Level of each lane, counted from the base level.
     pub level: [[u32; LANES]; 2],
     /// Cube map face of each lane.
@@ -63,10 +59,6 @@ pub(super) struct Work {
     pub nearest: [u32; LANES],
     /// Filtered colour of each pass, in units of the texels (0 to 255 for 8-bit ones).
     pub color: [[Lanes; 4]; 2],
-    /// How many taps of an anisotropic filter the batch needs, and which one is at work (from 1).
-    pub taps: u32,
-    /// The tap at work, from 1.
-    pub tap: u32,
     /// Taps of each lane.
     pub lane_taps: Lanes,
     /// Distance between taps, in pixels.
@@ -77,6 +69,14 @@ pub(super) struct Work {
     pub axis: [Lanes; 3],
     /// Sums over the taps.
     pub sum: [[Lanes; 4]; 2],
+    /// The image of a pass where all live lanes read the same one; `None` where it differs from lane to lane.
+    pub same: [Option<usize>; 2],
+    /// Whether the second pass has any weight in any live lane.
+    pub two_levels: bool,
+    /// How many taps of an anisotropic filter the batch needs.
+    pub taps: u32,
+    /// The tap at work, from 1.
+    pub tap: u32,
 }
 
 const Z: Lanes = [0.0; LANES];
@@ -109,7 +109,6 @@ impl TexBatch {
     #[must_use]
     pub fn new() -> Self {
         Self {
-            n: 0,
             mask: [0; LANES],
             coord: [Z; 3],
             ddx: [Z; 3],
@@ -120,6 +119,7 @@ impl TexBatch {
             previous: [Z; 4],
             args: [[Z; 4]; 3],
             work: Work::new(),
+            n: 0,
         }
     }
 }

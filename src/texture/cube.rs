@@ -21,54 +21,44 @@ fn signed(v: f32, ma: f32) -> f32 {
     f32::from_bits(v.to_bits() ^ (ma.to_bits() & 0x8000_0000))
 }
 
-/// sc, tc and |ma| of a vector on the face whose major axis is `axis` (0 x, 1 y, 2 z) with the sign of `ma`.
+/// sc, tc and |ma| of a vector (x, y, z) on the face whose major axis is x or y (`is_x`, `is_y`; else z) and `ma` along it.
 #[inline(always)]
-fn project(axis: u32, ma: f32, [x, y, z]: [f32; 3]) -> [f32; 3] {
-    let sc = match axis {
-        0 => signed(-z, ma),
-        1 => x,
-        _ => signed(x, ma),
-    };
-    let tc = if axis == 1 { signed(z, ma) } else { -y };
-    let major = match axis {
-        0 => x,
-        1 => y,
-        _ => z,
-    };
-    [sc, tc, signed(major, ma)]
+fn project(is_x: bool, is_y: bool, ma: f32, x: f32, y: f32, z: f32) -> (f32, f32, f32) {
+    let sc = signed(if is_x { -z } else { x }, if is_y { 1.0 } else { ma });
+    let tc = if is_y { signed(z, ma) } else { -y };
+    let major = if is_x { x } else { z };
+    let major = if is_y { y } else { major };
+    (sc, tc, signed(major, ma))
 }
 
 #[inline(always)]
 fn faces(b: &mut TexBatch, derivatives: bool) {
+    let TexBatch { coord: [cs, ct, cr], ddx: [sx, tx, rx], ddy: [sy, ty, ry], work, .. } = b;
     for i in 0..LANES {
-        let r = [b.coord[0][i], b.coord[1][i], b.coord[2][i]];
-        let [ax, ay, az] = r.map(f32::abs);
-        let axis = if az >= ax && az >= ay {
-            2
-        } else if ay >= ax {
-            1
-        } else {
-            0
-        };
-        let ma = match axis {
-            0 => r[0],
-            1 => r[1],
-            _ => r[2],
-        };
-        let [sc, tc, m] = project(axis, ma, r);
+        let (x, y, z) = (cs[i], ct[i], cr[i]);
+        let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
+        let is_z = az >= ax && az >= ay;
+        let is_y = ay >= ax && !is_z;
+        let is_x = !is_y && !is_z;
+        let ma = if is_y { y } else { z };
+        let ma = if is_x { x } else { ma };
+        let (sc, tc, m) = project(is_x, is_y, ma, x, y, z);
         // Only the zero vector has no largest component; whatever it is divided by gives 0.
         let m = if m > 0.0 { m } else { 1.0 };
         let (s, t) = (sc / m, tc / m);
-        b.work.face[i] = 2 * axis + (ma.to_bits() >> 31 & u32::from(ma != 0.0));
-        b.coord[0][i] = 0.5 * s + 0.5;
-        b.coord[1][i] = 0.5 * t + 0.5;
+        let face = if is_y { 2 } else { 4 };
+        let face = if is_x { 0 } else { face };
+        work.face[i] = if ma < 0.0 { face + 1 } else { face };
+        cs[i] = 0.5 * s + 0.5;
+        ct[i] = 0.5 * t + 0.5;
         if derivatives {
             let half = 0.5 / m;
-            for d in [&mut b.ddx, &mut b.ddy] {
-                let [dsc, dtc, dm] = project(axis, ma, [d[0][i], d[1][i], d[2][i]]);
-                d[0][i] = (dsc - s * dm) * half;
-                d[1][i] = (dtc - t * dm) * half;
-            }
+            let (dsc, dtc, dm) = project(is_x, is_y, ma, sx[i], tx[i], rx[i]);
+            sx[i] = (dsc - s * dm) * half;
+            tx[i] = (dtc - t * dm) * half;
+            let (dsc, dtc, dm) = project(is_x, is_y, ma, sy[i], ty[i], ry[i]);
+            sy[i] = (dsc - s * dm) * half;
+            ty[i] = (dtc - t * dm) * half;
         }
     }
 }

@@ -90,47 +90,51 @@ pub(super) fn lane_offset<const DIMS: usize>(work: &Work, image: &MipLevel, i: u
     o as usize
 }
 
-/// The pairs of texels at `o` in each of the `ROWS` rows that a filter reads: row j, row j+1, then those of slice k+1.
+/// The two neighbours of every lane in a row: texel i of lane l at 2 l, texel i+1 at 2 l + 1.
+type Pairs = [u32; 2 * LANES];
+
+/// Copies the neighbours at `o` in each of the rows that a filter reads: row j, row j+1, then those of slice k+1.
 #[inline(always)]
-fn pairs<const ROWS: usize>(texels: &[u32], o: usize, stride: usize, slice: usize) -> [u64; ROWS] {
+fn pairs<const ROWS: usize>(
+    out: &mut [Pairs; ROWS],
+    lane: usize,
+    texels: &[u32],
+    o: usize,
+    stride: usize,
+    slice: usize,
+) -> Option<()> {
     let row = |r: usize| (r & 1) * stride + (r >> 1) * slice;
-    match texels.get(o..o + row(ROWS - 1) + 2) {
-        Some(t) => std::array::from_fn(|r| u64::from(t[row(r)]) | u64::from(t[row(r) + 1]) << 32),
-        None => [0; ROWS],
+    let t = texels.get(o..o + row(ROWS - 1) + 2)?;
+    for r in 0..ROWS {
+        out[r][2 * lane] = t[row(r)];
+        out[r][2 * lane + 1] = t[row(r) + 1];
     }
+    Some(())
 }
 
-/// Fetches the pairs of all lanes in use.
+/// Fetches the pairs of all lanes. An index beyond the image cannot come out of the wrap stages; were there one, the loop
+/// would end. (That it may end also keeps it a loop of plain loads: gather instructions are slower.)
 #[inline(always)]
-fn fetch<const DIMS: usize, const ROWS: usize>(
-    b: &Work,
-    n: usize,
-    u: &UnitUniforms,
-    pass: usize,
-) -> [[u64; LANES]; ROWS] {
-    let mut out = [[0; LANES]; ROWS];
-    let n = n.min(LANES);
-    if let Some(same) = b.same[pass] {
-        let Some(image) = u.images.get(same) else { return out };
-        let at = offsets::<DIMS>(b, image.origin, image.stride, image.slice);
+fn fetch<const DIMS: usize, const ROWS: usize>(out: &mut [Pairs; ROWS], w: &Work, u: &UnitUniforms, pass: usize) {
+    if let Some(same) = w.same[pass] {
+        let Some(image) = u.images.get(same) else { return };
+        let at = offsets::<DIMS>(w, image.origin, image.stride, image.slice);
         let (t, stride, slice) = (texels(image), image.stride as usize, image.slice as usize);
-        for i in 0..n {
-            let p = pairs::<ROWS>(t, at[i] as usize, stride, slice);
-            for r in 0..ROWS {
-                out[r][i] = p[r];
+        for i in 0..LANES {
+            if pairs::<ROWS>(out, i, t, at[i] as usize, stride, slice).is_none() {
+                break;
             }
         }
     } else {
-        for i in 0..n {
-            let Some(image) = lane_image(u, b, pass, i) else { continue };
+        for i in 0..LANES {
+            let Some(image) = lane_image(u, w, pass, i) else { break };
             let (stride, slice) = (image.stride as usize, image.slice as usize);
-            let p = pairs::<ROWS>(texels(image), lane_offset::<DIMS>(b, image, i), stride, slice);
-            for r in 0..ROWS {
-                out[r][i] = p[r];
+            let o = lane_offset::<DIMS>(w, image, i);
+            if pairs::<ROWS>(out, i, texels(image), o, stride, slice).is_none() {
+                break;
             }
         }
     }
-    out
 }
 
 /// Writes the channels that `value(c)` gives for a lane, times `k`, as the format expands them; `one` is a full channel.
@@ -189,16 +193,41 @@ fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut
     if pass == 1 && !b.work.two_levels {
         return;
     }
-    let rows = fetch::<DIMS, ROWS>(&b.work, b.n, u, pass);
+    let mut rows = [[0; 2 * LANES]; ROWS];
+    fetch::<DIMS, ROWS>(&mut rows, &b.work, u, pass);
     let TexBatch { texel, work, .. } = b;
     let Work { weight: [ws, wt, wr], color, .. } = work;
     let Some((out, k)) = destination(texel, color, u.unit, arg, INV_255) else { return };
+    if ROWS < 4 {
+        blend::<ROWS, FORMAT>(out, &rows, 0, ws, wt, k);
+        return;
+    }
+    let (mut near, mut far) = ([[0.0; LANES]; 4], [[0.0; LANES]; 4]);
+    blend::<2, FORMAT>(&mut near, &rows, 0, ws, wt, 1.0);
+    blend::<2, FORMAT>(&mut far, &rows, 2, ws, wt, 1.0);
+    for c in 0..4 {
+        for i in 0..LANES {
+            out[c][i] = lerp(near[c][i], far[c][i], wr[i]) * k;
+        }
+    }
+}
+
+/// Blends one row, or two from `row` on, of every lane.
+#[inline(always)]
+fn blend<const ROWS: usize, const FORMAT: u8>(
+    out: &mut [Lanes; 4],
+    rows: &[Pairs],
+    row: usize,
+    ws: &Lanes,
+    wt: &Lanes,
+    k: f32,
+) {
+    let lower = &rows[row];
+    let upper = &rows[row + ROWS - 1];
     for i in 0..LANES {
-        let across = |r: usize, c: u32| lerp(byte(rows[r][i] as u32, c), byte((rows[r][i] >> 32) as u32, c), ws[i]);
-        put::<FORMAT>(out, i, k, 255.0, |c| match ROWS {
-            1 => across(0, c),
-            2 => lerp(across(0, c), across(1, c), wt[i]),
-            _ => lerp(lerp(across(0, c), across(1, c), wt[i]), lerp(across(2, c), across(3, c), wt[i]), wr[i]),
+        let across = |pairs: &Pairs, c: u32| lerp(byte(pairs[2 * i], c), byte(pairs[2 * i + 1], c), ws[i]);
+        put::<FORMAT>(out, i, k, 255.0, |c| {
+            if ROWS == 1 { across(lower, c) } else { lerp(across(lower, c), across(upper, c), wt[i]) }
         });
     }
 }
@@ -209,20 +238,21 @@ fn sample_nearest<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u3
     if pass == 1 && !b.work.two_levels {
         return;
     }
-    let n = b.n.min(LANES);
     let TexBatch { texel, work, .. } = b;
     let mut found = [0; LANES];
     if let Some(same) = work.same[pass] {
         let Some(image) = u.images.get(same) else { return };
         let at = offsets::<DIMS>(work, image.origin, image.stride, image.slice);
         let t = texels(image);
-        for i in 0..n {
-            found[i] = t.get(at[i] as usize).copied().unwrap_or(0);
+        for i in 0..LANES {
+            let Some(&texel) = t.get(at[i] as usize) else { break };
+            found[i] = texel;
         }
     } else {
-        for i in 0..n {
-            let Some(image) = lane_image(u, work, pass, i) else { continue };
-            found[i] = texels(image).get(lane_offset::<DIMS>(work, image, i)).copied().unwrap_or(0);
+        for i in 0..LANES {
+            let Some(image) = lane_image(u, work, pass, i) else { break };
+            let Some(&texel) = texels(image).get(lane_offset::<DIMS>(work, image, i)) else { break };
+            found[i] = texel;
         }
     }
     let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg, INV_255) else { return };

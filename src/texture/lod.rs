@@ -12,7 +12,7 @@
 //! Levels count from the base level here. Derivatives are those of the primitive's planes at the fragment itself, so every
 //! fragment has its own lambda. What is no number ends as MIN_LOD.
 
-use super::batch::TexBatch;
+use super::batch::{Lanes, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::batch::{LANES, Stage, stage};
 use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
@@ -26,25 +26,24 @@ pub(super) fn lambda(rho2: f32, u: &UnitUniforms) -> f32 {
     max_f32(min_f32(0.5 * log2_f32(rho2) + u.bias, u.max_lod), u.min_lod)
 }
 
-/// Squared lengths, in texels, of what a pixel spans in x and in y.
+/// Squared length, in texels, of what a pixel spans in the direction of the derivatives `d`.
 #[inline(always)]
-pub(super) fn spans<const DIMS: usize>(b: &TexBatch, u: &UnitUniforms, i: usize) -> (f32, f32) {
-    let along = |d: &[super::batch::Lanes; 3]| {
-        let mut sum = 0.0;
-        for c in 0..DIMS {
-            let texels = d[c][i] * u.scale[c];
-            sum = if c == 0 { texels * texels } else { sum + texels * texels };
-        }
-        sum
-    };
-    (along(&b.ddx), along(&b.ddy))
+pub(super) fn span<const DIMS: usize>(d: &[Lanes; 3], u: &UnitUniforms, i: usize) -> f32 {
+    let first = d[0][i] * u.scale[0];
+    let mut sum = first * first;
+    for c in 1..DIMS {
+        let texels = d[c][i] * u.scale[c];
+        sum += texels * texels;
+    }
+    sum
 }
 
 #[inline(always)]
 fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
+    let TexBatch { ddx, ddy, lambda: out, .. } = b;
     for i in 0..LANES {
-        let (x, y) = spans::<DIMS>(b, u, i);
-        b.lambda[i] = lambda(max_f32(x, y), u);
+        let (x, y) = (span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
+        out[i] = lambda(max_f32(x, y), u);
     }
 }
 
