@@ -4,3 +4,4 @@
 #[path = "../oracle/mod.rs"]
 mod oracle;
 mod pixels;
+mod texture_images;
