@@ -22,6 +22,7 @@ macro_rules! with {
         }
     };
 }
+pub(super) use with;
 
 /// See [`Context::multi_draw_elements`](crate::Context::multi_draw_elements). `drawcount` lists are drawn.
 #[track_caller]

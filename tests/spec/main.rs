@@ -3,5 +3,6 @@
 
 #[path = "../oracle/mod.rs"]
 mod oracle;
+mod glu;
 mod pixels;
 mod texture_images;

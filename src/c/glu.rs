@@ -1,0 +1,343 @@
+//! GLU's C names as safe functions on the current context (GLU 1.3). Numbers that C converts to double may be given as
+//! any Rust number that fits; arrays and results are references, as in the rest of this door.
+//!
+//! ```
+//! use fixedgl::c::*;
+//! make_current(fixedgl::Context::new(64, 64));
+//! glMatrixMode(GL_PROJECTION);
+//! gluPerspective(60.0, 64.0 / 48.0, 1, 30);
+//! let q = gluNewQuadric();
+//! gluQuadricTexture(&q, GL_TRUE);
+//! gluSphere(&q, 1.0, 20, 20);
+//! gluDeleteQuadric(q);
+//! take_current();
+//! ```
+#![expect(non_snake_case, reason = "the names are GLU's own")]
+#![expect(clippy::too_many_arguments, reason = "the functions are GLU's")]
+
+use super::current;
+use super::handmade::with;
+use crate::context::{InSlice, IntoBool, IntoInt, Pixels, PixelsMut};
+use crate::enums::{GLboolean, GLdouble, GLenum, GLint, GLsizei};
+use crate::glu::{self, Levels, Matrix, Quadric};
+use std::cell::RefCell;
+
+pub use crate::glu::constants::*;
+
+/// A quadric: what `gluNewQuadric` returns and every quadric function takes by reference.
+#[derive(Debug, Default)]
+pub struct GLUquadric(RefCell<Quadric>);
+
+/// The older name of [`GLUquadric`].
+pub type GLUquadricObj = GLUquadric;
+
+impl GLUquadric {
+    /// Calls `f` with the quadric; while an error callback runs, nothing.
+    fn with(&self, f: impl FnOnce(&mut Quadric)) {
+        if let Ok(mut quadric) = self.0.try_borrow_mut() {
+            f(&mut quadric);
+        }
+    }
+}
+
+macro_rules! mipmaps {
+    ($($name:ident $levels_name:ident $build:ident $build_levels:ident ($($size:ident),*);)*) => {$(
+        #[doc = concat!("See [`", stringify!($build), "`](crate::glu::", stringify!($build), ").")]
+        #[track_caller]
+        pub fn $name<'a>(
+            target: GLenum,
+            internalformat: impl IntoInt,
+            $($size: GLsizei,)*
+            format: GLenum,
+            type_: GLenum,
+            data: impl Into<Pixels<'a>>,
+        ) -> GLint {
+            with!($name, cx => glu::$build(cx, target, internalformat, $($size,)* format, type_, data))
+        }
+
+        #[doc = concat!("See [`", stringify!($build_levels), "`](crate::glu::", stringify!($build_levels), ").")]
+        #[track_caller]
+        pub fn $levels_name<'a>(
+            target: GLenum,
+            internalformat: impl IntoInt,
+            $($size: GLsizei,)*
+            format: GLenum,
+            type_: GLenum,
+            level: GLint,
+            base: GLint,
+            max: GLint,
+            data: impl Into<Pixels<'a>>,
+        ) -> GLint {
+            let levels = Levels { level, base, max };
+            with!($levels_name, cx => {
+                glu::$build_levels(cx, target, internalformat, $($size,)* format, type_, levels, data)
+            })
+        }
+    )*};
+}
+
+mipmaps! {
+    gluBuild1DMipmaps gluBuild1DMipmapLevels build_1d_mipmaps build_1d_mipmap_levels (width);
+    gluBuild2DMipmaps gluBuild2DMipmapLevels build_2d_mipmaps build_2d_mipmap_levels (width, height);
+    gluBuild3DMipmaps gluBuild3DMipmapLevels build_3d_mipmaps build_3d_mipmap_levels (width, height, depth);
+}
+
+/// See [`scale_image`](crate::glu::scale_image).
+#[track_caller]
+pub fn gluScaleImage<'a, 'b>(
+    format: GLenum,
+    width_in: GLsizei,
+    height_in: GLsizei,
+    type_in: GLenum,
+    data_in: impl Into<Pixels<'a>>,
+    width_out: GLsizei,
+    height_out: GLsizei,
+    type_out: GLenum,
+    data_out: impl Into<PixelsMut<'b>>,
+) -> GLint {
+    with!(gluScaleImage, cx => {
+        glu::scale_image(cx, format, width_in, height_in, type_in, data_in, width_out, height_out, type_out, data_out)
+    })
+}
+
+/// See [`perspective`](crate::glu::perspective).
+#[track_caller]
+pub fn gluPerspective(
+    fovy: impl Into<GLdouble>,
+    aspect: impl Into<GLdouble>,
+    near: impl Into<GLdouble>,
+    far: impl Into<GLdouble>,
+) {
+    with!(gluPerspective, cx => glu::perspective(cx, fovy.into(), aspect.into(), near.into(), far.into()));
+}
+
+/// See [`ortho_2d`](crate::glu::ortho_2d).
+#[track_caller]
+pub fn gluOrtho2D(
+    left: impl Into<GLdouble>,
+    right: impl Into<GLdouble>,
+    bottom: impl Into<GLdouble>,
+    top: impl Into<GLdouble>,
+) {
+    with!(gluOrtho2D, cx => glu::ortho_2d(cx, left.into(), right.into(), bottom.into(), top.into()));
+}
+
+/// See [`look_at`](crate::glu::look_at).
+#[track_caller]
+pub fn gluLookAt(
+    eye_x: impl Into<GLdouble>,
+    eye_y: impl Into<GLdouble>,
+    eye_z: impl Into<GLdouble>,
+    center_x: impl Into<GLdouble>,
+    center_y: impl Into<GLdouble>,
+    center_z: impl Into<GLdouble>,
+    up_x: impl Into<GLdouble>,
+    up_y: impl Into<GLdouble>,
+    up_z: impl Into<GLdouble>,
+) {
+    let eye = [eye_x.into(), eye_y.into(), eye_z.into()];
+    let center = [center_x.into(), center_y.into(), center_z.into()];
+    let up = [up_x.into(), up_y.into(), up_z.into()];
+    with!(gluLookAt, cx => glu::look_at(cx, eye, center, up));
+}
+
+/// See [`pick_matrix`](crate::glu::pick_matrix). A viewport of less than four numbers picks nothing.
+#[track_caller]
+pub fn gluPickMatrix(
+    x: impl Into<GLdouble>,
+    y: impl Into<GLdouble>,
+    width: impl Into<GLdouble>,
+    height: impl Into<GLdouble>,
+    viewport: &(impl InSlice<GLint> + ?Sized),
+) {
+    let Some(viewport) = viewport.slice().first_chunk() else { return };
+    with!(gluPickMatrix, cx => glu::pick_matrix(cx, x.into(), y.into(), width.into(), height.into(), viewport));
+}
+
+/// The two matrices and the viewport of a projection, if the arrays are long enough.
+fn view<'a>(
+    model: &'a [f64],
+    projection: &'a [f64],
+    viewport: &'a [i32],
+) -> Option<(&'a Matrix, &'a Matrix, &'a [i32; 4])> {
+    Some((model.first_chunk()?, projection.first_chunk()?, viewport.first_chunk()?))
+}
+
+/// Stores a point, if there is one: what the functions below return.
+fn store<const N: usize>(point: Option<[f64; N]>, places: [&mut GLdouble; N]) -> GLint {
+    let Some(point) = point else { return 0 };
+    for (place, v) in places.into_iter().zip(point) {
+        *place = v;
+    }
+    1
+}
+
+/// See [`project`](crate::glu::project). Returns `GL_TRUE`, or `GL_FALSE` if there is no such point.
+pub fn gluProject(
+    obj_x: impl Into<GLdouble>,
+    obj_y: impl Into<GLdouble>,
+    obj_z: impl Into<GLdouble>,
+    model: &(impl InSlice<GLdouble> + ?Sized),
+    projection: &(impl InSlice<GLdouble> + ?Sized),
+    viewport: &(impl InSlice<GLint> + ?Sized),
+    win_x: &mut GLdouble,
+    win_y: &mut GLdouble,
+    win_z: &mut GLdouble,
+) -> GLint {
+    let object = [obj_x.into(), obj_y.into(), obj_z.into()];
+    let point =
+        view(model.slice(), projection.slice(), viewport.slice()).and_then(|(m, p, v)| glu::project(object, m, p, v));
+    store(point, [win_x, win_y, win_z])
+}
+
+/// See [`un_project`](crate::glu::un_project). Returns `GL_TRUE`, or `GL_FALSE` if there is no such point.
+pub fn gluUnProject(
+    win_x: impl Into<GLdouble>,
+    win_y: impl Into<GLdouble>,
+    win_z: impl Into<GLdouble>,
+    model: &(impl InSlice<GLdouble> + ?Sized),
+    projection: &(impl InSlice<GLdouble> + ?Sized),
+    viewport: &(impl InSlice<GLint> + ?Sized),
+    obj_x: &mut GLdouble,
+    obj_y: &mut GLdouble,
+    obj_z: &mut GLdouble,
+) -> GLint {
+    let window = [win_x.into(), win_y.into(), win_z.into()];
+    let point = view(model.slice(), projection.slice(), viewport.slice())
+        .and_then(|(m, p, v)| glu::un_project(window, m, p, v));
+    store(point, [obj_x, obj_y, obj_z])
+}
+
+/// See [`un_project4`](crate::glu::un_project4). Returns `GL_TRUE`, or `GL_FALSE` if there is no such point.
+pub fn gluUnProject4(
+    win_x: impl Into<GLdouble>,
+    win_y: impl Into<GLdouble>,
+    win_z: impl Into<GLdouble>,
+    clip_w: impl Into<GLdouble>,
+    model: &(impl InSlice<GLdouble> + ?Sized),
+    projection: &(impl InSlice<GLdouble> + ?Sized),
+    viewport: &(impl InSlice<GLint> + ?Sized),
+    near: impl Into<GLdouble>,
+    far: impl Into<GLdouble>,
+    obj_x: &mut GLdouble,
+    obj_y: &mut GLdouble,
+    obj_z: &mut GLdouble,
+    obj_w: &mut GLdouble,
+) -> GLint {
+    let (window, w) = ([win_x.into(), win_y.into(), win_z.into()], clip_w.into());
+    let range = (near.into(), far.into());
+    let point = view(model.slice(), projection.slice(), viewport.slice())
+        .and_then(|(m, p, v)| glu::un_project4(window, w, m, p, v, range.0, range.1));
+    store(point, [obj_x, obj_y, obj_z, obj_w])
+}
+
+/// A new quadric: filled, smooth normals that point outward, no texture coordinates.
+#[must_use]
+pub fn gluNewQuadric() -> GLUquadric {
+    GLUquadric::default()
+}
+
+/// Ends a quadric. (Going out of scope does the same.)
+pub fn gluDeleteQuadric(quadric: GLUquadric) {
+    drop(quadric);
+}
+
+/// See [`Quadric::draw_style`](crate::glu::Quadric::draw_style).
+pub fn gluQuadricDrawStyle(quadric: &GLUquadric, style: GLenum) {
+    quadric.with(|q| q.draw_style(style));
+}
+
+/// See [`Quadric::normals`](crate::glu::Quadric::normals).
+pub fn gluQuadricNormals(quadric: &GLUquadric, normals: GLenum) {
+    quadric.with(|q| q.normals(normals));
+}
+
+/// See [`Quadric::orientation`](crate::glu::Quadric::orientation).
+pub fn gluQuadricOrientation(quadric: &GLUquadric, orientation: GLenum) {
+    quadric.with(|q| q.orientation(orientation));
+}
+
+/// See [`Quadric::texture`](crate::glu::Quadric::texture).
+pub fn gluQuadricTexture(quadric: &GLUquadric, texture: impl IntoBool) {
+    quadric.with(|q| q.texture(texture.into_bool()));
+}
+
+/// See [`Quadric::callback`](crate::glu::Quadric::callback). The callback must not use the quadric that calls it.
+pub fn gluQuadricCallback(quadric: &GLUquadric, which: GLenum, callback: Option<fn(GLenum)>) {
+    quadric.with(|q| q.callback(which, callback));
+}
+
+/// Draws with a quadric and the current context.
+macro_rules! draw {
+    ($name:ident, $quadric:ident, $method:ident($($a:expr),*)) => {
+        with!($name, cx => {
+            if let Ok(mut quadric) = $quadric.0.try_borrow_mut() {
+                quadric.$method(cx, $($a),*);
+            }
+        })
+    };
+}
+
+/// See [`Quadric::sphere`](crate::glu::Quadric::sphere).
+#[track_caller]
+pub fn gluSphere(quadric: &GLUquadric, radius: impl Into<GLdouble>, slices: GLint, stacks: GLint) {
+    draw!(gluSphere, quadric, sphere(radius.into(), slices, stacks));
+}
+
+/// See [`Quadric::cylinder`](crate::glu::Quadric::cylinder).
+#[track_caller]
+pub fn gluCylinder(
+    quadric: &GLUquadric,
+    base: impl Into<GLdouble>,
+    top: impl Into<GLdouble>,
+    height: impl Into<GLdouble>,
+    slices: GLint,
+    stacks: GLint,
+) {
+    draw!(gluCylinder, quadric, cylinder(base.into(), top.into(), height.into(), slices, stacks));
+}
+
+/// See [`Quadric::disk`](crate::glu::Quadric::disk).
+#[track_caller]
+pub fn gluDisk(
+    quadric: &GLUquadric,
+    inner: impl Into<GLdouble>,
+    outer: impl Into<GLdouble>,
+    slices: GLint,
+    loops: GLint,
+) {
+    draw!(gluDisk, quadric, disk(inner.into(), outer.into(), slices, loops));
+}
+
+/// See [`Quadric::partial_disk`](crate::glu::Quadric::partial_disk).
+#[track_caller]
+pub fn gluPartialDisk(
+    quadric: &GLUquadric,
+    inner: impl Into<GLdouble>,
+    outer: impl Into<GLdouble>,
+    slices: GLint,
+    loops: GLint,
+    start: impl Into<GLdouble>,
+    sweep: impl Into<GLdouble>,
+) {
+    let (start, sweep) = (start.into(), sweep.into());
+    draw!(gluPartialDisk, quadric, partial_disk(inner.into(), outer.into(), slices, loops, start, sweep));
+}
+
+/// An error code of GL or GLU in words; empty for a number that is neither.
+#[must_use]
+pub fn gluErrorString(error: GLenum) -> &'static str {
+    glu::error_string(error).unwrap_or_default()
+}
+
+/// GLU's version or extensions; empty for another name.
+#[must_use]
+pub fn gluGetString(name: GLenum) -> &'static str {
+    glu::get_string(name).unwrap_or_default()
+}
+
+/// Whether a list of extensions has a name.
+#[must_use]
+pub fn gluCheckExtension(name: &str, extensions: &str) -> GLboolean {
+    u8::from(glu::check_extension(name, extensions))
+}
