@@ -4,6 +4,7 @@
 
 use super::attrib::SavedAttributes;
 use super::config::Config;
+use super::queries::Queries;
 use super::tex_image::{Proxies, Proxy};
 use super::textures::Textures;
 use crate::enums::GL_FRONT;
@@ -38,6 +39,8 @@ pub(crate) struct Engine {
     pub(crate) textures: Textures,
     /// What the proxy targets answer.
     pub(crate) proxies: Box<Proxies>,
+    /// Occlusion queries.
+    pub(crate) queries: Queries,
     /// The buffers that are drawn into.
     pub(crate) framebuffer: Framebuffer,
 }
@@ -66,6 +69,7 @@ impl Engine {
             client_attributes: Vec::new(),
             textures: Textures::default(),
             proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),
+            queries: Queries::default(),
             framebuffer,
         };
         engine.window_sized();

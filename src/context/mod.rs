@@ -26,6 +26,7 @@ pub(crate) mod params;
 pub(crate) mod pending;
 pub(crate) mod pixel_state;
 pub(crate) mod pixels_arg;
+pub(crate) mod queries;
 pub(crate) mod raster_state;
 pub(crate) mod recorder;
 pub mod table;
