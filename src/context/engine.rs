@@ -8,10 +8,14 @@ use super::queries::Queries;
 use super::tex_image::{Proxies, Proxy};
 use super::textures::Textures;
 use crate::enums::GL_FRONT;
+use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::limits::MAX_TEXTURE_LEVELS;
+use crate::raster::Scene;
 use crate::state::pixel::PixelStores;
 use crate::state::{Dirty, State};
+use crate::vertex::pipe::Pipe;
+use std::sync::Arc;
 
 /// Client state: what `glPushClientAttrib` keeps (section 6.1.14).
 #[derive(Clone, Debug, Default)]
@@ -39,6 +43,17 @@ pub(crate) struct Engine {
     pub(crate) textures: Textures,
     /// What the proxy targets answer.
     pub(crate) proxies: Box<Proxies>,
+    /// Vertices on their way to primitives.
+    pub(crate) pipe: Pipe,
+    /// Draws that wait for a flush.
+    pub(crate) scene: Scene<Arc<Program>>,
+    /// The fragment program of the present state.
+    pub(crate) program: Option<Arc<Program>>,
+    /// Whether the scene has a draw of the present state.
+    pub(crate) drawing: bool,
+    /// Advice that the debug callback has not had yet, and the last advice given.
+    pub(crate) notes: Vec<String>,
+    pub(crate) last_note: String,
     /// Occlusion queries.
     pub(crate) queries: Queries,
     /// The buffers that are drawn into.
@@ -69,6 +84,12 @@ impl Engine {
             client_attributes: Vec::new(),
             textures: Textures::default(),
             proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),
+            pipe: Pipe::new(config.level, config.batch_cut),
+            scene: Scene::new(config.threads, config.batch_cut),
+            program: None,
+            drawing: false,
+            notes: Vec::new(),
+            last_note: String::new(),
             queries: Queries::default(),
             framebuffer,
         };

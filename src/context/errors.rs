@@ -64,6 +64,12 @@ pub struct DebugMessage<'a> {
     pub line: u32,
 }
 
+impl std::fmt::Display for DebugMessage<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}:{}: {}: {}", self.file, self.line, self.command, self.message)
+    }
+}
+
 /// A debug callback.
 pub type DebugCallback = Box<dyn FnMut(&DebugMessage<'_>) + Send>;
 

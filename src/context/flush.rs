@@ -18,9 +18,6 @@ impl Engine {
         self.flush_scene();
     }
 
-    /// Carries out everything that was drawn so far.
-    pub(crate) fn flush_scene(&mut self) {}
-
     pub(crate) fn clear(&mut self, mask: u32) -> Outcome {
         let all = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
         if mask & !all != 0 {

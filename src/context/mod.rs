@@ -36,6 +36,7 @@ pub(crate) mod tex_sub_image;
 pub(crate) mod tex_unit;
 pub(crate) mod textures;
 pub(crate) mod trace;
+pub(crate) mod validate;
 pub(crate) mod values;
 
 pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, OutSlice};

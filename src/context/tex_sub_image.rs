@@ -91,6 +91,7 @@ impl Engine {
         level: usize,
         write: impl FnOnce(&mut Image, Transfer<'_>) -> Outcome,
     ) -> Outcome {
+        self.release_draws();
         let bound = self.bound_name(place.target);
         let object = self.textures.object_mut(place.target, bound);
         if let Some(Some(image)) = object.faces.get_mut(place.face).and_then(|levels| levels.get_mut(level)) {
@@ -209,6 +210,7 @@ impl Engine {
         image.check_block_region(offset, region)?;
         drop(image);
         self.flush_scene();
+        self.release_draws();
         // The image is taken out while rows of the framebuffer, which the engine owns too, are written into it.
         let bound = self.bound_name(place.target);
         let slot = |engine: &mut Self| {

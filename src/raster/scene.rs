@@ -13,6 +13,7 @@ use super::{RasterState, VertexRef};
 use crate::batch::LANES;
 use crate::fragment::batch::FragmentBatch;
 use crate::fragment::planes::{Layout, Plane, Planes};
+use crate::fragment::program::Program;
 use crate::framebuffer::{Band, Framebuffer};
 use std::sync::Arc;
 
@@ -28,6 +29,50 @@ pub trait Shader: Send + Sync {
     fn draws_nothing(&self) -> bool;
     /// Works on a batch.
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>);
+}
+
+impl<T: Shader> Shader for Arc<T> {
+    fn layout(&self) -> &Layout {
+        (**self).layout()
+    }
+
+    fn ordered(&self) -> bool {
+        (**self).ordered()
+    }
+
+    fn coverage(&self) -> bool {
+        (**self).coverage()
+    }
+
+    fn draws_nothing(&self) -> bool {
+        (**self).draws_nothing()
+    }
+
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
+        (**self).run(batch, planes, pool, band);
+    }
+}
+
+impl Shader for Program {
+    fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    fn ordered(&self) -> bool {
+        self.reads_framebuffer
+    }
+
+    fn coverage(&self) -> bool {
+        self.coverage
+    }
+
+    fn draws_nothing(&self) -> bool {
+        self.draws_nothing
+    }
+
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
+        Program::run(self, batch, planes, pool, band);
+    }
 }
 
 /// One state of the machine as the back end sees it.

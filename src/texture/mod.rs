@@ -4,6 +4,7 @@ pub mod address;
 pub mod anisotropy;
 pub mod batch;
 pub mod combine;
+pub mod complete;
 pub mod cube;
 pub mod env;
 pub mod filter;

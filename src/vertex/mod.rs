@@ -19,16 +19,8 @@ pub mod tex_coord;
 pub mod transform;
 pub mod uniforms;
 
-use crate::raster::vertex::Vertex;
-
-/// A processed vertex, lent: its position part and its slots.
-#[derive(Clone, Copy, Debug)]
-pub struct VertexRef<'a> {
-    /// Position part.
-    pub head: &'a Vertex,
-    /// Slots of the layout.
-    pub slots: &'a [f32],
-}
+pub use crate::raster::VertexRef;
+use crate::raster::{Scene, Shader};
 
 /// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
 /// hit record.
@@ -40,6 +32,20 @@ pub trait Assembled {
     fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool);
     /// A point.
     fn point(&mut self, vertex: VertexRef<'_>);
+}
+
+impl<P: Shader> Assembled for Scene<P> {
+    fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
+        Scene::triangle(self, corners, provoking, edges);
+    }
+
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+        Scene::line(self, ends, provoking, restart);
+    }
+
+    fn point(&mut self, vertex: VertexRef<'_>) {
+        Scene::point(self, vertex);
+    }
 }
 
 #[cfg(test)]

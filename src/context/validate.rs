@@ -1,0 +1,145 @@
+//! From state to plans: before vertices are processed, whatever changed since the last draw is rebuilt, in the order in
+//! which the rooms depend on each other (textures, fragment program, rasteriser state, vertex plan). Nothing is rebuilt
+//! that is not stale, and nothing else in the engine builds a plan.
+
+use super::engine::Engine;
+use crate::enums::{GL_FILL, name};
+use crate::fragment::program::{Options, Program};
+use crate::limits::MAX_TEXTURE_UNITS;
+use crate::raster::{Draw, RasterState};
+use crate::state::Dirty;
+use crate::state::texture::Target;
+use crate::texture::object::TextureObject;
+use crate::texture::sampler;
+use crate::vertex::plan::Wants;
+use std::sync::Arc;
+
+/// The target that applies to a unit: of the enabled ones the last in the order of precedence.
+fn effective_target(enabled: [bool; 5]) -> Option<Target> {
+    Target::ALL.into_iter().rev().find(|target| enabled[*target as usize])
+}
+
+impl Engine {
+    /// Brings the plans up to date with the state. Vertices that still wait run by the old plans first.
+    pub(crate) fn validate(&mut self) {
+        if !self.dirty.any() && self.drawing {
+            return;
+        }
+        self.run_vertices();
+        if self.dirty.fragment || self.program.is_none() {
+            self.program = Some(Arc::new(self.build_program()));
+        }
+        let Some(program) = self.program.clone() else { return };
+        let format = self.framebuffer.format();
+        let (width, height) = (self.framebuffer.width(), self.framebuffer.height());
+        let raster = RasterState::build(&self.state, width, height, u32::from(format.depth_bits));
+        let polygons_filled = self.state.polygon.mode == [GL_FILL; 2];
+        let wants = Wants { exact_volume: !polygons_filled, edges: !polygons_filled };
+        self.pipe.rebuild(&self.state, &program.layout, wants);
+        self.scene.begin_draw(Arc::new(Draw { program, raster }));
+        self.dirty = Dirty::NONE;
+        self.drawing = true;
+    }
+
+    fn build_program(&mut self) -> Program {
+        let chosen: [Option<(Target, u32)>; MAX_TEXTURE_UNITS] = std::array::from_fn(|unit| {
+            let unit = &self.state.texture.units[unit];
+            effective_target(unit.enabled).map(|target| (target, unit.bound[target as usize]))
+        });
+        let ready: [bool; MAX_TEXTURE_UNITS] =
+            std::array::from_fn(|unit| chosen[unit].is_some_and(|(target, texture)| self.ready(unit, target, texture)));
+        let textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS] = std::array::from_fn(|unit| {
+            let (target, texture) = chosen[unit].filter(|_| ready[unit])?;
+            Some(self.textures.object(target, texture))
+        });
+        let s = &self.state;
+        let options = Options {
+            general: self.config.general_plan,
+            coverage: s.point.smooth || s.line.smooth || s.polygon.smooth,
+            count_samples: self.queries.is_counting(),
+        };
+        Program::build(self.config.level, s, textures, self.framebuffer.format(), options)
+    }
+
+    /// Whether the texture of a unit can be sampled, with its rings filled. If not, a note says why.
+    fn ready(&mut self, unit: usize, target: Target, texture: u32) -> bool {
+        let object = self.textures.object_mut(target, texture);
+        let why = match object.complete() {
+            Ok(()) => match sampler::prepare(object) {
+                Ok(()) => return true,
+                Err(error) => error.message,
+            },
+            Err(why) => why.to_string(),
+        };
+        self.note(format!(
+            "texture unit {unit} draws without its {} texture {texture}: {why}",
+            name(target_name(target))
+        ));
+        false
+    }
+
+    /// Runs the vertices that wait, by the plans of when they were issued.
+    pub(crate) fn run_vertices(&mut self) {
+        if self.pipe.is_waiting() {
+            self.pipe.run(&mut self.scene);
+            self.make_room();
+        }
+    }
+
+    /// Flushes the scene where its memory is used up.
+    pub(crate) fn make_room(&mut self) {
+        if self.scene.is_full() {
+            let passed = self.scene.make_room(&mut self.framebuffer, self.config.threads);
+            self.queries.passed += passed;
+        }
+    }
+
+    /// Carries out everything that was drawn so far.
+    pub(crate) fn flush_scene(&mut self) {
+        self.run_vertices();
+        if !self.scene.is_empty() {
+            let passed = self.scene.make_room(&mut self.framebuffer, self.config.threads);
+            self.queries.passed += passed;
+        }
+    }
+
+    /// Lets go of the plans of draws that are done, so that a texture that is written next is not held by them and need
+    /// not be copied.
+    pub(crate) fn release_draws(&mut self) {
+        if self.scene.is_empty() && !self.pipe.is_waiting() {
+            self.scene.flush(&mut self.framebuffer, 1);
+            self.program = None;
+            self.drawing = false;
+        }
+    }
+
+    /// Keeps advice for the debug callback. The same advice is not given twice in a row, and not without end.
+    pub(crate) fn note(&mut self, text: String) {
+        if self.notes.len() < 64 && self.last_note != text {
+            self.last_note.clone_from(&text);
+            self.notes.push(text);
+        }
+    }
+
+    /// Whether there is advice to fetch.
+    pub(crate) fn has_notes(&self) -> bool {
+        !self.notes.is_empty()
+    }
+
+    /// The advice since the last time.
+    pub(crate) fn take_notes(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notes)
+    }
+}
+
+/// The name of a target in GL.
+pub(crate) const fn target_name(target: Target) -> u32 {
+    use crate::enums::*;
+    match target {
+        Target::D1 => GL_TEXTURE_1D,
+        Target::D2 => GL_TEXTURE_2D,
+        Target::Rectangle => GL_TEXTURE_RECTANGLE_ARB,
+        Target::D3 => GL_TEXTURE_3D,
+        Target::Cube => GL_TEXTURE_CUBE_MAP,
+    }
+}
