@@ -51,6 +51,9 @@ pub(crate) struct Engine {
     pub(crate) program: Option<Arc<Program>>,
     /// Whether the scene has a draw of the present state.
     pub(crate) drawing: bool,
+    /// Bit u: some vertex has given unit u a q that is not 1. Set for good by the first one, so that programs that never
+    /// use q never pay for it.
+    pub(crate) q_units: u32,
     /// Advice that the debug callback has not had yet, and the last advice given.
     pub(crate) notes: Vec<String>,
     pub(crate) last_note: String,
@@ -88,6 +91,7 @@ impl Engine {
             scene: Scene::new(config.threads, config.batch_cut),
             program: None,
             drawing: false,
+            q_units: 0,
             notes: Vec::new(),
             last_note: String::new(),
             queries: Queries::default(),

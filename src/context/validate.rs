@@ -57,6 +57,7 @@ impl Engine {
             general: self.config.general_plan,
             coverage: s.point.smooth || s.line.smooth || s.polygon.smooth,
             count_samples: self.queries.is_counting(),
+            q_units: self.q_units,
         };
         Program::build(self.config.level, s, textures, self.framebuffer.format(), options)
     }
