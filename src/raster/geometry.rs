@@ -105,8 +105,8 @@ impl Geometry {
     /// Bytes in use.
     #[must_use]
     pub fn memory(&self) -> usize {
-        const fn bytes<T>(v: &Vec<T>) -> usize {
-            v.len() * size_of::<T>()
+        const fn bytes<T>(v: &[T]) -> usize {
+            size_of_val(v)
         }
         bytes(&self.prims)
             + bytes(&self.planes)

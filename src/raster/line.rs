@@ -235,3 +235,173 @@ impl Geometry {
         planes
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::testing::{Board, Random};
+    use crate::state::State;
+
+    /// Tells whether a line makes a fragment, straight from the rule: the segment, both ends moved by (-e, -e*e), meets
+    /// the open diamond and does not end in it. In units of 2^-16 pixel e is 1 / 256 and e * e far smaller; the segment is
+    /// cut by the diamond's four sides in exact fractions.
+    fn exits(a: [i32; 2], b: [i32; 2], pixel: [i32; 2]) -> bool {
+        const ONE: i128 = 1 << 40;
+        let moved = |p: [i32; 2]| {
+            let rel = [0, 1].map(|k: usize| (i128::from(p[k]) - i128::from(pixel[k]) * 256 - 128) * ONE);
+            [rel[0] - (1 << 20), rel[1] - 1]
+        };
+        let (a, b) = (moved(a), moved(b));
+        // The parameter range of the segment inside the four half-planes, as fractions low / den, high / den.
+        let (mut low, mut high) = ((0i128, 1i128), (1i128, 1i128));
+        let mut end_inside = true;
+        for (sx, sy) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
+            let da = 128 * ONE - (sx * a[0] + sy * a[1]);
+            let db = 128 * ONE - (sx * b[0] + sy * b[1]);
+            end_inside &= db > 0;
+            match (da > 0, db > 0) {
+                (true, true) => {}
+                (false, false) => return false,
+                (true, false) => {
+                    if da as f64 * (high.1 as f64) < high.0 as f64 * (da - db) as f64 {
+                        high = (da, da - db);
+                    }
+                }
+                (false, true) => {
+                    if -da as f64 * (low.1 as f64) > low.0 as f64 * (db - da) as f64 {
+                        low = (-da, db - da);
+                    }
+                }
+            }
+        }
+        let meets = (low.0 as f64) * (high.1 as f64) < (high.0 as f64) * (low.1 as f64);
+        meets && !end_inside
+    }
+
+    #[test]
+    fn fragments_are_those_whose_diamonds_are_left() {
+        let mut random = Random(11);
+        let mut total = 0;
+        for round in 0..3000 {
+            let grid = [1.0, 128.0, 64.0][round % 3];
+            let reach = [2.0, 14.0][round % 2];
+            let mut end =
+                || [0, 1].map(|_| ((random.between(8.0 - reach, 8.0 + reach) * 256.0 / grid).round() * grid) as i32);
+            let (a, b) = (end(), end());
+            // Exactly diagonal lines along the border of diamonds need more than this test's arithmetic.
+            if (b[0] - a[0]).abs() == (b[1] - a[1]).abs() {
+                continue;
+            }
+            let mut board = Board::new(16, 0, 1, 64, |_| {});
+            board.line(a.map(|v| f64::from(v) / 256.0), b.map(|v| f64::from(v) / 256.0));
+            let hits = board.hits();
+            for (i, n) in hits.iter().enumerate() {
+                let pixel = [i as i32 % 16, i as i32 / 16];
+                assert_eq!(*n == 1, exits(a, b, pixel), "{a:?} {b:?} {pixel:?}");
+            }
+            total += hits.iter().sum::<u32>();
+        }
+        assert!(total > 10_000, "{total}");
+    }
+
+    #[test]
+    fn closed_loops_hit_each_pixel_of_a_corner_once() {
+        let mut board = Board::new(32, 0, 2, 64, |_| {});
+        let corner = [[4.5, 4.5], [24.5, 4.5], [24.5, 20.5], [4.5, 20.5]];
+        for i in 0..4 {
+            board.line(corner[i], corner[(i + 1) % 4]);
+        }
+        let hits = board.hits();
+        assert_eq!(hits.iter().sum::<u32>(), 2 * (20 + 16));
+        assert!(hits.iter().all(|n| *n <= 1));
+    }
+
+    fn rows(board: &mut Board, side: usize) -> Vec<String> {
+        let text = |row: &[u32]| row.iter().map(|n| char::from(b'0' + *n as u8)).collect();
+        board.hits().chunks(side).map(text).collect()
+    }
+
+    #[test]
+    fn width_is_across_the_minor_axis_and_stipple_along_the_major_one() {
+        let stipple = |state: &mut State| {
+            state.line.width = 3.0;
+            state.line.stipple = true;
+            state.line.stipple_pattern = 0b1011;
+            state.line.stipple_factor = 2;
+        };
+        let mut board = Board::new(12, 0, 1, 5, stipple);
+        board.line([1.0, 5.25], [11.0, 5.25]);
+        let want = "011110011000";
+        let found = rows(&mut board, 12);
+        assert_eq!(
+            [&found[3], &found[4], &found[5], &found[6], &found[7]],
+            ["000000000000", want, want, want, "000000000000"]
+        );
+        let mut board = Board::new(12, 0, 1, 5, stipple);
+        board.line([5.25, 11.0], [5.25, 1.0]);
+        let found = rows(&mut board, 12);
+        let column: String = (0..12).rev().map(|y| found[y].chars().nth(4).unwrap()).collect();
+        assert_eq!(column, "011110011000");
+        assert_eq!(&found[10][3..9], "011100");
+    }
+
+    #[test]
+    fn strips_go_on_with_the_stipple_and_bands_change_nothing() {
+        let stipple = |state: &mut State| {
+            state.line.stipple = true;
+            state.line.stipple_pattern = 0x5A5A;
+            state.line.stipple_factor = 3;
+        };
+        let mut random = Random(12);
+        let ends: Vec<[f64; 2]> =
+            (0..400).map(|_| [random.between(-50.0, 306.0), random.between(-50.0, 306.0)]).collect();
+        let mut pictures = vec![];
+        for (threads, cut) in [(1, 64), (2, 17), (7, 1)] {
+            let mut board = Board::new(256, 0, threads, cut, stipple);
+            for (i, pair) in ends.windows(2).enumerate() {
+                let v = [0, 1].map(|k: usize| crate::raster::testing::vertex(pair[k][0], pair[k][1], 0.5, 1.0));
+                board.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &[] }), 1, i == 0);
+            }
+            pictures.push(board.hits());
+        }
+        assert!(pictures[0].iter().sum::<u32>() > 20_000);
+        assert!(pictures[0] == pictures[1] && pictures[0] == pictures[2]);
+    }
+
+    #[test]
+    fn smooth_lines_cover_their_area() {
+        let mut random = Random(13);
+        for _ in 0..50 {
+            let width = random.between(1.0, 6.0) as f32;
+            let mut board = Board::new(64, 1, 1, 64, |state| {
+                state.line.smooth = true;
+                state.line.width = width;
+            });
+            let end = |random: &mut Random| {
+                [random.between(8.0, 56.0), random.between(8.0, 56.0)].map(|v: f64| (v * 256.0).round() / 256.0)
+            };
+            let (a, b) = (end(&mut random), end(&mut random));
+            board.line(a, b);
+            let sum: f64 = board.seen().iter().map(|s| f64::from(s.coverage)).sum();
+            let length = ((b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)).sqrt();
+            assert!((sum - length * f64::from(width)).abs() < 1e-3 * length + 1e-3, "{sum} {length} {width}");
+        }
+    }
+
+    #[test]
+    fn values_run_along_the_line() {
+        let mut board = Board::new(32, 1, 1, 64, |_| {});
+        let v =
+            [crate::raster::testing::vertex(2.0, 3.25, 0.0, 1.0), crate::raster::testing::vertex(18.0, 3.25, 1.0, 3.0)];
+        let slots = [[0.0f32], [1.0]];
+        board.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &slots[k] }), 1, true);
+        let seen = board.seen();
+        assert_eq!(seen.len(), 16);
+        for (i, s) in seen.iter().enumerate() {
+            let t = (i as f64 + 0.5) / 16.0;
+            let want = (t / 3.0) / ((1.0 - t) + t / 3.0);
+            assert!((f64::from(s.values[0]) - want).abs() < 1e-6);
+            assert!((s.z / 16_777_215.0 - t).abs() < 1e-9);
+        }
+    }
+}

@@ -3,6 +3,7 @@
 //! walk over a band of rows appends row runs to batches of 64 fragments, which the draw's fragment program works on.
 
 mod bands;
+mod coordinate;
 mod emit;
 mod geometry;
 mod line;
@@ -17,6 +18,7 @@ pub mod state;
 mod testing;
 pub mod vertex;
 
+pub use geometry::Span;
 pub use plane::WIDE_DENOMINATOR;
 pub use scene::{Draw, Scene, Shader};
 pub use state::RasterState;

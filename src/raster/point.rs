@@ -3,7 +3,7 @@
 //! reach beyond the viewport.
 
 use super::VertexRef;
-use super::geometry::{Context, Cover, Geometry, index};
+use super::geometry::{Context, Cover, Geometry, Span, index};
 use super::plane::{Basis, Values};
 use super::setup::within_limit;
 use super::state::{Rect, limited_point};
@@ -95,12 +95,107 @@ impl Geometry {
             }
             Cover::Rect(rect)
         };
+        let planes = self.point_planes(cx, dot, origin);
+        self.file(cover, cx.draw, planes, (size * size) as u64 + 1);
+    }
+
+    /// Planes without slopes, the slots in the pool.
+    fn point_planes(&mut self, cx: &Context, dot: &Dot, origin: [i32; 2]) -> Planes {
+        let head = dot.v.head;
         let at = head.window[2] * cx.rs.depth_scale + dot.offset;
         let z = Linear { at: if at.is_finite() { at } else { 0.0 }, x: 0.0, y: 0.0 };
         let mut planes = Planes { origin, z, ..Planes::default() };
         let slots = dot.v.slots;
         let values = Values { corner: [slots; 3], provoking: dot.provoking, back: dot.back, w: [head.clip[3]; 3] };
         cx.recipe.planes(&Basis::default(), &values, &mut planes, &mut self.pool);
-        self.file(cover, cx.draw, planes, (size * size) as u64 + 1);
+        planes
+    }
+
+    /// Files row runs that all have the values of one vertex (a bitmap at the raster position). A pixel may be in them
+    /// once only.
+    pub(super) fn runs(&mut self, cx: &Context, v: VertexRef, runs: impl Iterator<Item = Span>) {
+        let (first, clip) = (self.spans.len(), cx.rs.clip);
+        let mut pixels = 0;
+        for Span { x, y, len } in runs {
+            let (x0, x1) = (x.max(clip.x0), x.saturating_add(len).min(clip.x1));
+            if x0 < x1 && (clip.y0..clip.y1).contains(&y) {
+                self.spans.push(Span { x: x0, y, len: x1 - x0 });
+                pixels += u64::from((x1 - x0).unsigned_abs());
+            }
+        }
+        let Some(begin) = self.spans.get(first) else { return };
+        let origin = [begin.x, begin.y];
+        let cover = Cover::Spans { first: index(first), count: index(self.spans.len() - first) };
+        let planes = self.point_planes(cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 }, origin);
+        self.file(cover, cx.draw, planes, pixels);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::raster::testing::{Board, Random, vertex};
+    use crate::raster::{Span, VertexRef};
+
+    #[test]
+    fn aliased_points_are_squares_around_their_centres() {
+        let mut random = Random(21);
+        for _ in 0..500 {
+            let size = random.between(0.0, 9.0) as f32;
+            let at = [random.between(-3.0, 35.0), random.between(-3.0, 35.0)].map(|v: f64| (v * 256.0).round() / 256.0);
+            let mut board = Board::new(32, 0, 1, 7, |_| {});
+            board.point(at, size);
+            let n = (f64::from(size) + 0.5).floor().max(1.0);
+            let hits = board.hits();
+            for y in 0..32 {
+                for x in 0..32 {
+                    // The specification's centre: the pixel's for odd sizes, the nearest corner for even ones.
+                    let middle = at.map(|v| if n % 2.0 == 1.0 { v.floor() + 0.5 } else { (v + 0.5).floor() });
+                    let near = |k: usize, v: i32| (f64::from(v) + 0.5 - middle[k]).abs() < n / 2.0;
+                    assert_eq!(hits[(y * 32 + x) as usize] == 1, near(0, x) && near(1, y), "{at:?} {size} {x} {y}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn smooth_points_cover_the_area_of_their_disc() {
+        let mut random = Random(22);
+        for _ in 0..100 {
+            let size = random.between(1.0, 20.0) as f32;
+            let mut board = Board::new(64, 1, 1, 64, |state| state.point.smooth = true);
+            let at = [random.between(20.0, 40.0), random.between(20.0, 40.0)];
+            board.point(at, size);
+            let seen = board.seen();
+            let sum: f64 = seen.iter().map(|s| f64::from(s.coverage)).sum();
+            let area = std::f64::consts::PI * f64::from(size) * f64::from(size) / 4.0;
+            assert!((sum / area - 1.0).abs() < 0.02, "{size}: {sum} {area}");
+            assert!(seen.iter().all(|s| s.coverage > 0.0 && s.coverage <= 1.0));
+        }
+    }
+
+    #[test]
+    fn runs_are_clipped_and_hit_once() {
+        for (threads, cut) in [(1, 64), (2, 5)] {
+            let mut board = Board::new(64, 0, threads, cut, |_| {});
+            let head = vertex(70.0, -3.0, 0.5, 1.0);
+            let runs = (-4..70).map(|y| Span { x: y - 8, y, len: if y == 30 { i32::MAX } else { 21 } });
+            board.scene.spans(VertexRef { head: &head, slots: &[] }, runs);
+            for (i, n) in board.hits().into_iter().enumerate() {
+                let (x, y) = (i as i32 % 64, i as i32 / 64);
+                assert_eq!(n == 1, x >= y - 8 && (x < y + 13 || y == 30), "{x} {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn size_one_is_one_pixel() {
+        for at in [[3.0, 3.0], [3.99, 3.01], [3.5, 3.5]] {
+            for size in [0.0, 1.0, 1.4, f32::NAN, -5.0] {
+                let mut board = Board::new(8, 0, 1, 64, |_| {});
+                board.point(at, size);
+                let hits = board.hits();
+                assert_eq!((hits[3 * 8 + 3], hits.iter().sum::<u32>()), (1, 1), "{at:?} {size}");
+            }
+        }
     }
 }

@@ -4,7 +4,7 @@
 
 use super::bands::{self, Flush};
 use super::emit::Emitter;
-use super::geometry::{Context, Geometry};
+use super::geometry::{Context, Geometry, Span};
 use super::line::Segment;
 use super::plane::Recipe;
 use super::point::Dot;
@@ -180,6 +180,14 @@ impl<P: Shader> Scene<P> {
     pub fn point(&mut self, v: VertexRef<'_>) {
         if let Some((cx, geometry, _)) = self.split() {
             geometry.point(&cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 });
+        }
+    }
+
+    /// Draws row runs whose fragments all have the values of one vertex: a bitmap at the raster position. No pixel may be
+    /// in two runs.
+    pub fn spans(&mut self, v: VertexRef<'_>, runs: impl Iterator<Item = Span>) {
+        if let Some((cx, geometry, _)) = self.split() {
+            geometry.runs(&cx, v, runs);
         }
     }
 

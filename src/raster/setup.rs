@@ -193,3 +193,168 @@ fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
     }
     mask
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::enums::*;
+    use crate::raster::VertexRef;
+    use crate::raster::testing::{Board, Random, vertex};
+    use crate::state::State;
+
+    const CCW: [[f64; 2]; 3] = [[2.0, 2.0], [30.0, 3.0], [4.0, 28.0]];
+    const CW: [[f64; 2]; 3] = [[4.0, 28.0], [30.0, 3.0], [2.0, 2.0]];
+
+    fn count(change: impl Fn(&mut State), p: [[f64; 2]; 3]) -> u32 {
+        let mut board = Board::new(32, 0, 1, 64, change);
+        board.plain(p);
+        board.hits().iter().sum()
+    }
+
+    #[test]
+    fn facing_decides_what_is_culled() {
+        let all = count(|_| {}, CCW);
+        assert!(all > 300 && count(|_| {}, CW) == all);
+        for (front, face, ccw, cw) in [
+            (GL_CCW, GL_BACK, all, 0),
+            (GL_CCW, GL_FRONT, 0, all),
+            (GL_CW, GL_BACK, 0, all),
+            (GL_CW, GL_FRONT, all, 0),
+            (GL_CCW, GL_FRONT_AND_BACK, 0, 0),
+        ] {
+            let cull = |state: &mut State| {
+                (state.polygon.cull, state.polygon.front_face, state.polygon.cull_face) = (true, front, face);
+            };
+            assert_eq!((count(cull, CCW), count(cull, CW)), (ccw, cw));
+        }
+    }
+
+    #[test]
+    fn small_triangles_without_a_centre_cost_nothing() {
+        let mut board = Board::new(32, 2, 1, 64, |_| {});
+        for p in [
+            [[3.6, 3.6], [4.4, 3.6], [3.6, 4.4]],
+            [[1.0, 1.0], [1.0, 1.0], [9.0, 9.0]],
+            [[40.0, 1.0], [44.0, 1.0], [40.0, 5.0]],
+        ] {
+            board.triangle(&p.map(|[x, y]| vertex(x, y, 0.5, 1.0)), &[vec![0.0; 2], vec![1.0; 2], vec![2.0; 2]]);
+        }
+        assert!(board.scene.is_empty());
+        assert_eq!(board.scene.memory(), 0);
+    }
+
+    #[test]
+    fn modes_draw_boundary_edges_and_vertices() {
+        let mode = |mode: u32| move |state: &mut State| state.polygon.mode = [mode; 2];
+        let corners = [[2.5, 2.5], [20.5, 2.5], [2.5, 12.5]];
+        let v = corners.map(|[x, y]| vertex(x, y, 0.5, 1.0));
+        for (edges, lines, points) in
+            [([true; 3], 18 + 18 + 10, 3), ([true, false, true], 18 + 10, 2), ([false; 3], 0, 0)]
+        {
+            for (mode, want) in [(mode(GL_LINE), lines), (mode(GL_POINT), points)] {
+                let mut board = Board::new(32, 0, 1, 64, mode);
+                board.scene.triangle([0, 1, 2].map(|i: usize| VertexRef { head: &v[i], slots: &[] }), 2, edges);
+                assert_eq!(board.hits().iter().sum::<u32>(), want, "{edges:?}");
+            }
+        }
+        // Edge-on polygons still have edges; they are back faces.
+        assert_eq!(count(mode(GL_LINE), [[2.5, 2.5], [9.5, 2.5], [5.5, 2.5]]), 7 + 4 + 3);
+    }
+
+    #[test]
+    fn offset_follows_the_slope() {
+        let z = |change: fn(&mut State), mode: u32| {
+            let mut board = Board::new(32, 1, 1, 64, |state| {
+                (state.polygon.offset_factor, state.polygon.offset_units) = (2.0, 3.0);
+                state.polygon.mode = [mode; 2];
+                change(state);
+            });
+            let v = [vertex(0.0, 0.0, 0.0, 1.0), vertex(32.0, 0.0, 0.25, 1.0), vertex(0.0, 32.0, 0.5, 1.0)];
+            board.triangle(&v, &[vec![0.0], vec![0.0], vec![0.0]]);
+            board.seen()
+        };
+        // The greater slope is 1/2 over 32 pixels.
+        let want = 2.0 * (0.5 / 32.0) * 16_777_215.0 + 3.0;
+        let set = [
+            (GL_FILL, (|s| s.polygon.offset[2] = true) as fn(&mut State)),
+            (GL_LINE, |s| s.polygon.offset[1] = true),
+            (GL_POINT, |s| s.polygon.offset[0] = true),
+        ];
+        for (mode, change) in set {
+            let (plain, moved) = (z(|_| {}, mode), z(change, mode));
+            assert!(!plain.is_empty() && plain.len() == moved.len());
+            for (a, b) in plain.iter().zip(&moved) {
+                assert!((b.z - a.z - want).abs() < 1e-6, "{mode} {} {}", a.z, b.z);
+            }
+        }
+    }
+
+    #[test]
+    fn stipple_and_scissor_choose_among_the_same_fragments() {
+        let mut random = Random(31);
+        let pattern: [u32; 32] = std::array::from_fn(|_| (random.unit() * 4_294_967_296.0) as u32);
+        let masked = |state: &mut State| {
+            state.polygon.stipple = true;
+            state.polygon_stipple.0 = pattern;
+            state.scissor.enabled = true;
+            (state.scissor.x, state.scissor.y, state.scissor.width, state.scissor.height) = (5, 9, 71, 43);
+        };
+        let mut all = Board::new(96, 1, 1, 64, |_| {});
+        let mut some = Board::new(96, 1, 3, 23, masked);
+        for round in 0..600 {
+            let size = [3.0, 8.0, 60.0][round % 3];
+            let at = [random.between(0.0, 90.0), random.between(0.0, 90.0)];
+            let p = [0; 3].map(|_| at.map(|v| v + random.between(0.0, size)));
+            let w = random.between(1.0, 3.0);
+            let v = p.map(|[x, y]| vertex(x, y, random.unit(), w));
+            let slots = [0; 3].map(|_| vec![random.unit() as f32]);
+            all.triangle(&v, &slots);
+            some.triangle(&v, &slots);
+            let want: Vec<_> = all
+                .seen()
+                .into_iter()
+                .filter(|s| {
+                    let [x, y] = s.at;
+                    (5..76).contains(&x) && (9..52).contains(&y) && pattern[y as usize % 32] >> (31 - x % 32) & 1 != 0
+                })
+                .map(|s| (s.at, s.z.to_bits(), s.values))
+                .collect();
+            let got: Vec<_> = some.seen().into_iter().map(|s| (s.at, s.z.to_bits(), s.values)).collect();
+            assert_eq!(want, got);
+        }
+    }
+
+    #[test]
+    fn threads_and_cuts_change_no_bit() {
+        let draw = |threads: usize, cut: usize| {
+            let mut random = Random(32);
+            let mut board = Board::new(300, 2, threads, cut, |_| {});
+            for round in 0..3000 {
+                let size = [4.0, 12.0, 200.0][round % 3];
+                let at = [random.between(-20.0, 300.0), random.between(-20.0, 300.0)];
+                let v = [0; 3].map(|_| {
+                    vertex(
+                        at[0] + random.between(0.0, size),
+                        at[1] + random.between(0.0, size),
+                        random.unit(),
+                        random.between(1.0, 2.0),
+                    )
+                });
+                let slots = [0; 3].map(|_| vec![random.unit() as f32, random.unit() as f32]);
+                board.triangle(&v, &slots);
+            }
+            let hits = board.hits();
+            let mut seen: Vec<_> = board
+                .seen()
+                .into_iter()
+                .map(|s| (s.at, s.z.to_bits(), s.values.iter().map(|v| v.to_bits()).collect::<Vec<_>>()))
+                .collect();
+            seen.sort();
+            (hits, seen)
+        };
+        let want = draw(1, 64);
+        assert!(want.1.len() > 1_000_000);
+        for (threads, cut) in [(1, 17), (2, 64), (7, 33)] {
+            assert!(draw(threads, cut) == want, "{threads} threads, cut at {cut}");
+        }
+    }
+}

@@ -75,8 +75,8 @@ impl Outline {
         let (x, y) = (f64::from(x - self.origin[0]), f64::from(y - self.origin[1]));
         // The outline, cut by the four sides of the pixel one after the other.
         let mut polygon = [[0.0; 2]; 8];
-        for i in 0..self.count {
-            polygon[i] = [self.corner[i][0] - x, self.corner[i][1] - y];
+        for (to, from) in polygon.iter_mut().zip(self.corner) {
+            *to = [from[0] - x, from[1] - y];
         }
         let mut count = self.count;
         for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {

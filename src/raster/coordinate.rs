@@ -1,0 +1,199 @@
+//! Texture coordinates of a primitive (OpenGL 1.5, sections 3.5.1 and 3.8.8): q in place of w, whole periods taken off,
+//! and the question whether f32 is enough to evaluate them.
+
+use super::plane::{Basis, Recipe, Values, Weights, constant};
+use crate::fragment::planes::{Linear, Plane, UnitSlots};
+
+impl Recipe {
+    /// Coordinates of a unit: q, periods, and whether f64 is needed.
+    pub(super) fn unit(
+        &self,
+        basis: &Basis,
+        weights: &Weights,
+        slots: &UnitSlots,
+        values: &Values,
+        out: &mut [Plane],
+    ) -> bool {
+        let UnitSlots { base, count, has_q, period, size, cube } = *slots;
+        let Some(out) = out.get_mut(base..base + count + usize::from(has_q)) else { return false };
+        let at = |corner: usize, k: usize| {
+            let slots: &[f32] = values.corner.get(corner).copied().unwrap_or(&[]);
+            f64::from(slots.get(base + k).copied().unwrap_or(0.0))
+        };
+        let (d, r) = if has_q {
+            let q = [0, 1, 2].map(|i| at(i, count));
+            projective(basis, weights, [0, 1, 2].map(|i| [at(i, 0), at(i, 1), at(i, 2)]), q, out)
+        } else {
+            (weights.d, weights.r)
+        };
+        let denominator = if has_q || !weights.affine { denominator_error(basis, &d, r) } else { 0.0 };
+        let mut error = 0.0f64;
+        let mut greatest = 0.0f64;
+        for (plane, (period, size)) in out.iter_mut().take(count).zip(period.into_iter().zip(size)) {
+            let spread = f64::from(plane.max) - f64::from(plane.min);
+            let texels = if cube { f64::from(size) * 0.5 } else { f64::from(size) };
+            let part = texels * (numerator_error(basis, plane, r) + denominator * spread);
+            error = error.max(part);
+            greatest = greatest.max(f64::from(plane.max).abs()).max(f64::from(plane.min).abs());
+            take_period_off(plane, period);
+        }
+        if cube && greatest > 0.0 {
+            error /= greatest;
+        }
+        // An f32 evaluation is off by about 2^-23 of the terms it adds; 2^-11 texel is what may be lost.
+        error.is_nan() || error > 4096.0
+    }
+}
+
+/// Takes whole periods off a plane, so that its values are near 0.
+fn take_period_off(plane: &mut Plane, period: u8) {
+    let c = f64::from(plane.c);
+    let whole = match period {
+        1 => c.floor(),
+        2 => (c * 0.5).floor() * 2.0,
+        _ => return,
+    };
+    plane.c = (c - whole) as f32;
+    plane.min = (f64::from(plane.min) - whole) as f32;
+    plane.max = (f64::from(plane.max) - whole) as f32;
+}
+
+/// How large, against the value at the corners, the terms of a denominator become.
+pub(super) fn denominator_error(basis: &Basis, d: &Linear, r: [f64; 3]) -> f64 {
+    terms(basis, d.at, d.x, d.y, r)
+}
+
+/// How large the terms of a numerator become after the division.
+fn numerator_error(basis: &Basis, plane: &Plane, r: [f64; 3]) -> f64 {
+    terms(basis, plane.n0, plane.nx, plane.ny, r)
+}
+
+fn terms(basis: &Basis, at: f64, x: f64, y: f64, r: [f64; 3]) -> f64 {
+    let mut most = 0.0f64;
+    for (p, r) in basis.corner.iter().zip(r) {
+        most = most.max((at.abs() + (x * p[0]).abs() + (y * p[1]).abs()) / r.abs());
+    }
+    most
+}
+
+/// The planes of a unit whose q is not 1: Q in place of D. Returns Q and its values at the corners.
+fn projective(
+    basis: &Basis,
+    weights: &Weights,
+    s: [[f64; 3]; 3],
+    q: [f64; 3],
+    out: &mut [Plane],
+) -> (Linear, [f64; 3]) {
+    let r = weights.r;
+    let rq = [r[0] * q[0], r[1] * q[1], r[2] * q[2]];
+    let big = basis.linear(rq);
+    let greatest = rq[0].abs().max(rq[1].abs()).max(rq[2].abs());
+    let least = rq[0].abs().min(rq[1].abs()).min(rq[2].abs());
+    let one_sign = rq.iter().all(|q| *q > 0.0) || rq.iter().all(|q| *q < 0.0);
+    let healthy = one_sign && big.at.abs() >= 0.5 * least && big.at.abs() <= 2.0 * greatest;
+    let count = out.len().saturating_sub(1);
+    for (k, plane) in out.iter_mut().enumerate().take(count.min(3)) {
+        let values = [0, 1, 2].map(|i: usize| s.get(i).and_then(|s| s.get(k)).copied().unwrap_or(0.0));
+        let quotient = |i: usize| {
+            let (s, q) = (values.get(i).copied().unwrap_or(0.0), q.get(i).copied().unwrap_or(0.0));
+            if q == 0.0 { 0.0 } else { (s / q) as f32 }
+        };
+        let at = [quotient(0), quotient(1), quotient(2)];
+        let mut min = at[0].min(at[1]).min(at[2]);
+        let mut max = at[0].max(at[1]).max(at[2]);
+        let s = basis.linear([r[0] * values[0], r[1] * values[1], r[2] * values[2]]);
+        let here = if at[0] == at[1] && at[1] == at[2] || !healthy { at[0] } else { (s.at / big.at) as f32 };
+        let here = if here < min { min } else { here };
+        let mut c = if here > max { max } else { here };
+        if !c.is_finite() {
+            c = 0.0;
+        }
+        if !(one_sign && min.is_finite() && max.is_finite()) {
+            (min, max) = (f32::MIN, f32::MAX);
+        }
+        let wide = f64::from(c);
+        let n = |i: usize| {
+            let (s, q) = (values.get(i).copied().unwrap_or(0.0), q.get(i).copied().unwrap_or(0.0));
+            r.get(i).copied().unwrap_or(0.0) * (s - wide * q)
+        };
+        let n = basis.linear([n(0), n(1), n(2)]);
+        *plane = if (n.at + n.x + n.y).is_finite() {
+            Plane { c, min, max, n0: n.at, nx: n.x, ny: n.y }
+        } else {
+            constant(c)
+        };
+    }
+    if let Some(plane) = out.get_mut(count) {
+        let ok = (big.at + big.x + big.y).is_finite();
+        let q = if ok { big } else { Linear { at: 1.0, x: 0.0, y: 0.0 } };
+        *plane = Plane { c: 0.0, min: f32::MIN, max: f32::MAX, n0: q.at, nx: q.x, ny: q.y };
+    }
+    (big, rq)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::fragment::planes::{Layout, UnitSlots};
+    use crate::raster::plane::tests::planes;
+    use crate::raster::testing::value;
+
+    fn unit(has_q: bool, period: u8, size: u32) -> Layout {
+        let slots = UnitSlots { base: 0, count: 2, has_q, period: [period; 3], size: [size; 3], cube: false };
+        let mut layout = Layout { count: 2 + usize::from(has_q), ..Layout::default() };
+        layout.units[3] = Some(slots);
+        layout.stride = layout.count;
+        layout
+    }
+
+    #[test]
+    fn whole_periods_come_off() {
+        let s = 1_000_003.0f32;
+        let values = [vec![s, 0.25], vec![s + 2.0, 0.5], vec![s, 0.75]];
+        for (period, off) in [(0, 0.0), (1, 1_000_003.0), (2, 1_000_002.0)] {
+            let (of, pool) = planes(&unit(false, period, 64), false, &values, [1.0; 3], false);
+            let at = |x, y| value(&pool[0], &of, x, y);
+            assert!((f64::from(at(5.5, -2.5)) - (f64::from(s) + 2.0 - off)).abs() <= 1.0, "{period}");
+            assert!(period == 0 || (pool[0].c >= 0.0 && pool[0].c < f32::from(period)), "{:?}", pool[0]);
+            assert_eq!(of.wide, 0);
+        }
+    }
+
+    #[test]
+    fn q_divides_and_odd_q_stays_finite() {
+        let layout = unit(true, 0, 64);
+        let q = [1.0f32, 2.0, 4.0];
+        let values = [0, 1, 2].map(|i: usize| vec![i as f32 * q[i], 3.0 * q[i], q[i]]);
+        let (of, pool) = planes(&layout, false, &values, [1.0, 3.0, 0.5], false);
+        for (i, (x, y)) in [(-2.5, -2.5), (5.5, -2.5), (-2.5, 5.5)].into_iter().enumerate() {
+            let [s, t, q] = [0, 1, 2].map(|k: usize| pool[k].n0 + pool[k].nx * x + pool[k].ny * y);
+            assert!((f64::from(pool[0].c) + s / q - i as f64).abs() < 1e-6);
+            assert!((f64::from(pool[1].c) + t / q - 3.0).abs() < 1e-6);
+        }
+        assert_eq!((pool[1].min, pool[1].max), (3.0, 3.0));
+        // Q where q is 1 is D, to the last bit.
+        let ones = [0.0f32, 1.0, 2.0].map(|i| vec![i, -i, 1.0]);
+        let (of_ones, pool) = planes(&layout, false, &ones, [1.0, 3.0, 0.5], false);
+        assert_eq!(of_ones.d, of.d);
+        assert_eq!([pool[2].n0, pool[2].nx, pool[2].ny], [of.d.at, of.d.x, of.d.y]);
+        for bad in [[0.0, 0.0, 0.0], [1.0, -1.0, 1.0], [f32::NAN, 1.0, 1.0], [f32::INFINITY; 3], [-1.0, -2.0, -0.5]] {
+            let values = [0, 1, 2].map(|i: usize| vec![i as f32, 1e30, bad[i]]);
+            let (_, pool) = planes(&layout, false, &values, [1.0, 3.0, 0.5], false);
+            for plane in &pool {
+                let all =
+                    [plane.n0, plane.nx, plane.ny, f64::from(plane.c), f64::from(plane.min), f64::from(plane.max)];
+                assert!(all.iter().all(|v| v.is_finite()), "{bad:?} {plane:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn wide_primitives_are_found() {
+        let values = |range: f32| [vec![0.0, 0.0], vec![range, 0.0], vec![0.0, range]];
+        let wide =
+            |range: f32, size: u32, w: [f64; 3]| planes(&unit(false, 1, size), false, &values(range), w, false).0.wide;
+        assert_eq!(wide(1.0, 1024, [1.0; 3]), 0);
+        assert_eq!(wide(40.0, 1024, [1.0; 3]), 8);
+        assert_eq!(wide(1.0, 64, [1.0, 2.0, 1.5]), 0);
+        assert_eq!(wide(1.0, 64, [1.0, 1e6, 1e6]) & 8, 8);
+    }
+}
