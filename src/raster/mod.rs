@@ -19,7 +19,6 @@ mod testing;
 pub mod vertex;
 
 pub use geometry::Span;
-pub use plane::WIDE_DENOMINATOR;
 pub use scene::{Draw, Scene, Shader};
 pub use state::RasterState;
 

@@ -6,9 +6,6 @@
 
 use crate::fragment::planes::{Layout, Linear, Plane, Planes, UnitSlots};
 
-/// Bit of [`Planes::wide`]: the denominator itself, and with it colours and fog, needs f64.
-pub const WIDE_DENOMINATOR: u32 = 1 << 8;
-
 /// How a position relative to the origin becomes weights of the corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Basis {
@@ -152,7 +149,7 @@ impl Recipe {
         weights.span(values.corner.map(|slots| slots.get(..self.layout.count).unwrap_or(&[])), out);
         self.colors(&weights, values, out);
         if !weights.affine && super::coordinate::denominator_error(basis, &weights.d, weights.r) > 2048.0 {
-            planes.wide |= WIDE_DENOMINATOR;
+            planes.wide |= Planes::WIDE_W;
         }
         for (unit, slots) in &self.units {
             if self.unit(basis, &weights, slots, values, out) {
