@@ -19,3 +19,6 @@ pub mod program;
 mod segments;
 pub mod stencil;
 pub mod uniforms;
+
+#[cfg(test)]
+mod tests;

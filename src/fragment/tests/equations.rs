@@ -1,0 +1,367 @@
+//! Each stage against its equation, evaluated in f64 or in integers straight from the specification.
+
+use super::{Feed, Random, Scene, contents, draw, flat, pixel, program};
+use crate::batch::Level;
+use crate::enums::*;
+use crate::fragment::program::{Fate, Options};
+use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
+use crate::state::State;
+
+fn clear_to(f: &mut Framebuffer, color: [f32; 4], depth: f64, stencil: u8) {
+    let clear =
+        Clear { color: Some((color, [true; 4])), depth: Some(depth), stencil: Some((stencil, 0xFF)), accum: None };
+    f.clear(&clear, None).unwrap();
+}
+
+/// Draws one pixel of a colour and depth; returns bytes, depth integer and stencil.
+fn one(state: &State, src: [f64; 4], z: f64, dst: [u8; 4], depth: u32, stencil: u8) -> ([u8; 4], u32, u8) {
+    let format = FramebufferFormat::default();
+    let mut f = Framebuffer::new(1, 1, format).unwrap();
+    clear_to(&mut f, dst.map(|b| f32::from(b) / 255.0), f64::from(depth) / 16_777_215.0, stencil);
+    let p = program(Level::detect(), state, &format, Options::default());
+    draw(&p, &flat(src, z), &mut f, Feed::Rows, &[(0, [0, 0, 1, 1])]);
+    let (mut c, mut d, mut s) = ([0u32], [0.0], [0]);
+    f.read_rgba8(0, 0, &mut c);
+    f.read_depth(0, 0, &mut d);
+    f.read_stencil(0, 0, &mut s);
+    (c[0].to_le_bytes(), (d[0] * 16_777_215.0).round() as u32, s[0])
+}
+
+/// A factor of channel c by the specification's table 4.1 and 4.2, in f64.
+fn factor(name: GLenum, c: usize, s: [f64; 4], d: [f64; 4], k: [f64; 4]) -> f64 {
+    match name {
+        GL_ZERO => 0.0,
+        GL_ONE => 1.0,
+        GL_SRC_COLOR => s[c],
+        GL_ONE_MINUS_SRC_COLOR => 1.0 - s[c],
+        GL_DST_COLOR => d[c],
+        GL_ONE_MINUS_DST_COLOR => 1.0 - d[c],
+        GL_SRC_ALPHA => s[3],
+        GL_ONE_MINUS_SRC_ALPHA => 1.0 - s[3],
+        GL_DST_ALPHA => d[3],
+        GL_ONE_MINUS_DST_ALPHA => 1.0 - d[3],
+        GL_CONSTANT_COLOR => k[c],
+        GL_ONE_MINUS_CONSTANT_COLOR => 1.0 - k[c],
+        GL_CONSTANT_ALPHA => k[3],
+        GL_ONE_MINUS_CONSTANT_ALPHA => 1.0 - k[3],
+        GL_SRC_ALPHA_SATURATE if c == 3 => 1.0,
+        GL_SRC_ALPHA_SATURATE => s[3].min(1.0 - d[3]),
+        _ => unreachable!("no factor"),
+    }
+}
+
+#[test]
+fn blending_is_the_equation() {
+    const FACTORS: [GLenum; 15] = [
+        GL_ZERO,
+        GL_ONE,
+        GL_SRC_COLOR,
+        GL_ONE_MINUS_SRC_COLOR,
+        GL_DST_COLOR,
+        GL_ONE_MINUS_DST_COLOR,
+        GL_SRC_ALPHA,
+        GL_ONE_MINUS_SRC_ALPHA,
+        GL_DST_ALPHA,
+        GL_ONE_MINUS_DST_ALPHA,
+        GL_CONSTANT_COLOR,
+        GL_ONE_MINUS_CONSTANT_COLOR,
+        GL_CONSTANT_ALPHA,
+        GL_ONE_MINUS_CONSTANT_ALPHA,
+        GL_SRC_ALPHA_SATURATE,
+    ];
+    let mut r = Random::new(3);
+    let mut state = State::default();
+    state.color_buffer.blend = true;
+    for equation in [GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX] {
+        for sf in FACTORS {
+            for df in FACTORS {
+                let (sa, da) = (r.pick(&FACTORS), r.pick(&FACTORS));
+                let (sa, da) = if r.bool() { (sf, df) } else { (sa, da) };
+                let dst: [u8; 4] = std::array::from_fn(|_| r.below(256) as u8);
+                let src: [f64; 4] = std::array::from_fn(|_| f64::from(r.unit() as f32));
+                let k: [f32; 4] = std::array::from_fn(|_| r.unit() as f32);
+                let c = &mut state.color_buffer;
+                (c.blend_src, c.blend_dst, c.blend_equation, c.blend_color) = ([sf, sa], [df, da], equation, k);
+                let (got, ..) = one(&state, src, 0.0, dst, 0, 0);
+                let (d, k) = (dst.map(|b| f64::from(b) / 255.0), k.map(f64::from));
+                for c in 0..4 {
+                    let (sn, dn) = if c == 3 { (sa, da) } else { (sf, df) };
+                    let (s, t) = (src[c] * factor(sn, c, src, d, k), d[c] * factor(dn, c, src, d, k));
+                    let want = match equation {
+                        GL_FUNC_ADD => s + t,
+                        GL_FUNC_SUBTRACT => s - t,
+                        GL_FUNC_REVERSE_SUBTRACT => t - s,
+                        GL_MIN => src[c].min(d[c]),
+                        _ => src[c].max(d[c]),
+                    };
+                    let want = want.clamp(0.0, 1.0) * 255.0;
+                    let error = (f64::from(got[c]) - want).abs();
+                    assert!(error <= 0.5001, "{} {} {}: {} for {want}", name(equation), name(sf), name(df), got[c]);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn blending_is_exact_at_its_ends() {
+    let mut state = State::default();
+    state.color_buffer.blend = true;
+    let mut set = |src, dst| {
+        (state.color_buffer.blend_src, state.color_buffer.blend_dst) = ([src; 2], [dst; 2]);
+        state.clone()
+    };
+    for value in 0..=255u8 {
+        let v = f64::from(f32::from(value) / 255.0);
+        let dst = [value, 255 - value, 7, value];
+        let alpha = set(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        assert_eq!(one(&alpha, [v, v, v, 1.0], 0.0, dst, 0, 0).0, [value, value, value, 255], "opaque");
+        assert_eq!(one(&alpha, [0.3, 0.7, 1.0, 0.0], 0.0, dst, 0, 0).0, dst, "transparent");
+        assert_eq!(one(&set(GL_DST_COLOR, GL_ZERO), [1.0; 4], 0.0, dst, 0, 0).0, dst, "times white");
+        assert_eq!(one(&set(GL_ZERO, GL_SRC_COLOR), [1.0; 4], 0.0, dst, 0, 0).0, dst, "times white");
+        assert_eq!(one(&set(GL_ONE, GL_ONE), [0.0; 4], 0.0, dst, 0, 0).0, dst, "plus black");
+        assert_eq!(one(&set(GL_ONE_MINUS_DST_COLOR, GL_ONE), [1.0; 4], 0.0, dst, 0, 0).0, [255; 4], "screen");
+    }
+}
+
+#[test]
+fn depth_is_rounded_to_the_buffer() {
+    let mut state = State::default();
+    (state.depth.test, state.depth.func) = (true, GL_ALWAYS);
+    for (z, want) in [
+        (0.0, 0),
+        (0.5, 0),
+        (0.500_001, 1),
+        (1.5, 2),
+        (16_777_214.4, 16_777_214),
+        (16_777_216.0, 16_777_215),
+        (-3.0, 0),
+        (1e30, 16_777_215),
+        (f64::NAN, 0),
+    ] {
+        assert_eq!(one(&state, [1.0; 4], z, [0; 4], 77, 0).1, want, "{z}");
+    }
+    for (bits, max) in [(16u8, 65_535u32), (24, 16_777_215), (32, u32::MAX)] {
+        let format = FramebufferFormat { depth_bits: bits, ..FramebufferFormat::default() };
+        assert_eq!(format.depth_max(), max);
+        let mut f = Framebuffer::new(1, 1, format).unwrap();
+        let p = program(Level::detect(), &state, &format, Options::default());
+        draw(&p, &flat([1.0; 4], f64::from(max) - 1.0), &mut f, Feed::Rows, &[(0, [0, 0, 1, 1])]);
+        let mut d = [0.0];
+        f.read_depth(0, 0, &mut d);
+        assert_eq!(d[0], (f64::from(max) - 1.0) / f64::from(max), "{bits} bits");
+    }
+}
+
+#[test]
+fn the_depth_test_compares_and_writes() {
+    type Pass = fn(u32, u32) -> bool;
+    let funcs: [(GLenum, Pass); 8] = [
+        (GL_NEVER, |_, _| false),
+        (GL_LESS, |a, b| a < b),
+        (GL_EQUAL, |a, b| a == b),
+        (GL_LEQUAL, |a, b| a <= b),
+        (GL_GREATER, |a, b| a > b),
+        (GL_NOTEQUAL, |a, b| a != b),
+        (GL_GEQUAL, |a, b| a >= b),
+        (GL_ALWAYS, |_, _| true),
+    ];
+    let mut state = State::default();
+    state.depth.test = true;
+    for (func, pass) in funcs {
+        for mask in [true, false] {
+            for z in [99, 100, 101] {
+                (state.depth.func, state.depth.mask) = (func, mask);
+                let (c, d, _) = one(&state, [1.0; 4], f64::from(z), [0; 4], 100, 0);
+                let passed = pass(z, 100);
+                assert_eq!(c, if passed { [255; 4] } else { [0; 4] }, "{} {z}", name(func));
+                assert_eq!(d, if passed && mask { z } else { 100 }, "{} {z} mask {mask}", name(func));
+            }
+        }
+    }
+    state.depth.test = false;
+    assert_eq!(one(&state, [1.0; 4], 5.0, [0; 4], 100, 0).1, 100, "no test, no write");
+}
+
+#[test]
+fn stencil_operations_are_those_of_the_three_cases() {
+    let ops: [(GLenum, fn(u8, u8) -> u8); 8] = [
+        (GL_KEEP, |s, _| s),
+        (GL_ZERO, |_, _| 0),
+        (GL_REPLACE, |_, r| r),
+        (GL_INCR, |s, _| s.saturating_add(1)),
+        (GL_DECR, |s, _| s.saturating_sub(1)),
+        (GL_INVERT, |s, _| !s),
+        (GL_INCR_WRAP, |s, _| s.wrapping_add(1)),
+        (GL_DECR_WRAP, |s, _| s.wrapping_sub(1)),
+    ];
+    let mut r = Random::new(9);
+    for (op, f) in ops {
+        for s in [0u8, 1, 77, 254, 255] {
+            for case in 0..3 {
+                let mut state = State::default();
+                (state.stencil.test, state.depth.test) = (true, true);
+                state.stencil.reference = 0x35;
+                state.stencil.write_mask = r.pick(&[0xFF, 0x0F, 0xFFFF_FF80]);
+                state.stencil.func = if case == 0 { GL_NEVER } else { GL_ALWAYS };
+                state.depth.func = if case == 1 { GL_GREATER } else { GL_LESS };
+                let st = &mut state.stencil;
+                *[&mut st.fail, &mut st.depth_fail, &mut st.depth_pass][case] = op;
+                let mask = st.write_mask as u8;
+                let (c, d, got) = one(&state, [1.0; 4], 50.0, [0; 4], 100, s);
+                assert_eq!(got, (f(s, 0x35) & mask) | (s & !mask), "{} of {s}, case {case}", name(op));
+                assert_eq!((c, d), if case == 2 { ([255; 4], 50) } else { ([0; 4], 100) });
+            }
+        }
+    }
+    let mut state = State::default();
+    (state.stencil.test, state.stencil.func) = (true, GL_LESS);
+    (state.stencil.reference, state.stencil.value_mask) = (0x41, 0x0F);
+    assert_eq!(one(&state, [1.0; 4], 0.0, [0; 4], 0, 0x32).0, [255; 4], "1 < 2 under the mask");
+    assert_eq!(one(&state, [1.0; 4], 0.0, [0; 4], 0, 0xF1).0, [0; 4], "1 < 1 under the mask");
+}
+
+#[test]
+fn the_alpha_test_looks_at_bytes() {
+    let mut state = State::default();
+    state.color_buffer.alpha_test = true;
+    state.color_buffer.alpha_func = GL_EQUAL;
+    state.color_buffer.alpha_ref = 100.3 / 255.0;
+    let drawn = |a: f64| one(&state, [1.0, 1.0, 1.0, a / 255.0], 0.0, [0; 4], 0, 0).0[0] == 255;
+    assert!(drawn(99.6) && drawn(100.4) && !drawn(100.6) && !drawn(99.4));
+}
+
+#[test]
+fn logic_operations_are_those_of_the_table() {
+    let ops: [(GLenum, fn(u8, u8) -> u8); 16] = [
+        (GL_CLEAR, |_, _| 0),
+        (GL_AND, |s, d| s & d),
+        (GL_AND_REVERSE, |s, d| s & !d),
+        (GL_COPY, |s, _| s),
+        (GL_AND_INVERTED, |s, d| !s & d),
+        (GL_NOOP, |_, d| d),
+        (GL_XOR, |s, d| s ^ d),
+        (GL_OR, |s, d| s | d),
+        (GL_NOR, |s, d| !(s | d)),
+        (GL_EQUIV, |s, d| !(s ^ d)),
+        (GL_INVERT, |_, d| !d),
+        (GL_OR_REVERSE, |s, d| s | !d),
+        (GL_COPY_INVERTED, |s, _| !s),
+        (GL_OR_INVERTED, |s, d| !s | d),
+        (GL_NAND, |s, d| !(s & d)),
+        (GL_SET, |_, _| 255),
+    ];
+    let mut state = State::default();
+    (state.color_buffer.logic_op_enabled, state.color_buffer.blend) = (true, true);
+    for (op, f) in ops {
+        state.color_buffer.logic_op = op;
+        let (src, dst) = ([0x3Cu8, 0x0F, 0xFF, 0x5A], [0x55u8, 0xAA, 0x33, 0xC3]);
+        let got = one(&state, src.map(|b| f64::from(f32::from(b) / 255.0)), 0.0, dst, 0, 0).0;
+        assert_eq!(got, std::array::from_fn(|c| f(src[c], dst[c])), "{}", name(op));
+    }
+}
+
+#[test]
+fn fog_is_the_equation() {
+    let mut r = Random::new(21);
+    let format = FramebufferFormat { float: true, ..FramebufferFormat::default() };
+    for mode in [GL_EXP, GL_EXP2, GL_LINEAR] {
+        for _ in 0..100 {
+            let mut state = State::default();
+            state.fog.enabled = true;
+            state.fog.mode = mode;
+            state.fog.density = r.unit() as f32 * 2.0;
+            (state.fog.start, state.fog.end) = (r.unit() as f32, 2.0 + r.unit() as f32);
+            state.fog.color = [0.1, 0.5, 0.9, 0.3];
+            let c = r.unit() * 3.0;
+            let mut scene = Scene::default();
+            scene.push([0, 0], [1.0; 2], [0.0; 3], [1.0; 3], &[[0.9; 3], [0.2; 3], [0.4; 3], [0.6; 3], [c; 3]]);
+            let mut f = Framebuffer::new(1, 1, format).unwrap();
+            let p = program(Level::detect(), &state, &format, Options::default());
+            assert_eq!(p.layout.fog, Some(4));
+            draw(&p, &scene, &mut f, Feed::Rows, &[(0, [0, 0, 1, 1])]);
+            let (d, s, e) = (f64::from(state.fog.density), f64::from(state.fog.start), f64::from(state.fog.end));
+            let factor = match mode {
+                GL_EXP => (-d * c).exp(),
+                GL_EXP2 => (-(d * c) * (d * c)).exp(),
+                _ => (e - c) / (e - s),
+            }
+            .clamp(0.0, 1.0);
+            let got = pixel(&f, 0, 0);
+            for (k, (color, fog)) in [(0.9, 0.1), (0.2, 0.5), (0.4, 0.9)].into_iter().enumerate() {
+                let want = factor * color + (1.0 - factor) * fog;
+                assert!((f64::from(got[k]) - want).abs() < 1e-6, "{} {c}: {} for {want}", name(mode), got[k]);
+            }
+            assert_eq!(got[3], 0.6, "alpha has no fog");
+        }
+    }
+}
+
+#[test]
+fn coverage_comes_after_fog_and_before_the_alpha_test() {
+    use crate::fragment::batch::FragmentBatch;
+    let mut state = State::default();
+    (state.color_buffer.alpha_test, state.color_buffer.alpha_func) = (true, GL_GEQUAL);
+    state.color_buffer.alpha_ref = 0.5;
+    let format = FramebufferFormat::default();
+    let mut f = Framebuffer::new(3, 1, format).unwrap();
+    let p = program(Level::detect(), &state, &format, Options { coverage: true, ..Options::default() });
+    let scene = flat([1.0, 1.0, 1.0, 0.8], 0.0);
+    let mut b = FragmentBatch::new();
+    b.push_row(0, 0, 0, 0, 3);
+    b.coverage[..3].copy_from_slice(&[1.0, 0.65, 0.6]);
+    p.run(&mut b, &scene.planes, &scene.pool, &mut f.band());
+    let alpha: Vec<_> = (0..3).map(|x| (pixel(&f, x, 0)[3] * 255.0).round()).collect();
+    assert_eq!(alpha, [204.0, 133.0, 0.0]);
+}
+
+#[test]
+fn samples_are_those_that_pass() {
+    let mut state = State::default();
+    state.depth.test = true;
+    let format = FramebufferFormat::default();
+    for alpha_test in [false, true] {
+        state.color_buffer.alpha_test = alpha_test;
+        state.color_buffer.alpha_func = GL_GREATER;
+        let p = program(Level::detect(), &state, &format, Options { count_samples: true, ..Options::default() });
+        let mut f = Framebuffer::new(90, 9, format).unwrap();
+        let mut scene = flat([1.0; 4], 100.0);
+        scene.push([0, 0], [9.0; 2], [50.0; 3], [1.0; 3], &[[0.5; 3]; 4]);
+        let rects = [(1, [10, 2, 5, 3]), (0, [0, 0, 90, 9])];
+        assert_eq!(draw(&p, &scene, &mut f, Feed::Rows, &rects), 15 + 90 * 9 - 15);
+    }
+}
+
+#[test]
+fn a_program_says_what_it_does() {
+    let format = FramebufferFormat::default();
+    let plain = program(Level::Baseline, &State::default(), &format, Options::default());
+    assert_eq!(plain.stage_names(), ["BEGIN", "COLOR_PACKED", "STORE"]);
+    assert!(!plain.reads_framebuffer && !plain.draws_nothing);
+    let fate =
+        |p: &super::super::program::Program, stage: &str| p.decisions.iter().find(|d| d.stage == stage).map(|d| d.fate);
+    for stage in ["alpha test", "stencil test", "depth test", "texturing", "fog", "colour sum", "blending", "logic op"]
+    {
+        assert_eq!(fate(&plain, stage), Some(Fate::LeftOut), "{stage}\n{}", plain.explain());
+    }
+    let mut state = State::default();
+    state.depth.test = true;
+    state.color_buffer.alpha_test = true;
+    state.color_buffer.alpha_func = GL_GREATER;
+    let p = program(Level::Baseline, &state, &format, Options::default());
+    let names = p.stage_names();
+    let at = |n: &str| names.iter().position(|s| *s == n).unwrap_or_else(|| panic!("{n} in {names:?}"));
+    assert!(at("DEPTH_TEST") < at("COLOR") && at("ALPHA_TEST") < at("DEPTH_WRITE"));
+    assert!(p.reads_framebuffer);
+    state.color_buffer.color_mask = [false; 4];
+    state.depth.mask = false;
+    assert!(program(Level::Baseline, &state, &format, Options::default()).draws_nothing);
+    // Almost is not enough: factors that are not ONE, ZERO are kept whatever the alphas may be.
+    let mut state = State::default();
+    state.color_buffer.blend = true;
+    (state.color_buffer.blend_src, state.color_buffer.blend_dst) = ([GL_SRC_ALPHA; 2], [GL_ONE_MINUS_SRC_ALPHA; 2]);
+    assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "blending"), Some(Fate::Kept));
+    (state.fog.enabled, state.fog.density) = (true, 1e-30);
+    assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "fog"), Some(Fate::Kept));
+    let _ = contents;
+}

@@ -1,0 +1,220 @@
+//! The same bytes whatever is left out, however the fragments come, at every level; and no panic whatever comes.
+
+use super::super::planes::{Linear, Plane, Planes};
+use super::{Feed, Random, Scene, contents, draw, program};
+use crate::batch::Level;
+use crate::enums::*;
+use crate::fragment::program::Options;
+use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
+use crate::state::State;
+
+const FUNCS: [GLenum; 8] = [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];
+const OPS: [GLenum; 8] = [GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP];
+const FACTORS: [GLenum; 15] = [
+    GL_ZERO,
+    GL_ONE,
+    GL_SRC_COLOR,
+    GL_ONE_MINUS_SRC_COLOR,
+    GL_DST_COLOR,
+    GL_ONE_MINUS_DST_COLOR,
+    GL_SRC_ALPHA,
+    GL_ONE_MINUS_SRC_ALPHA,
+    GL_DST_ALPHA,
+    GL_ONE_MINUS_DST_ALPHA,
+    GL_CONSTANT_COLOR,
+    GL_ONE_MINUS_CONSTANT_COLOR,
+    GL_CONSTANT_ALPHA,
+    GL_ONE_MINUS_CONSTANT_ALPHA,
+    GL_SRC_ALPHA_SATURATE,
+];
+
+/// A random state of everything after interpolation.
+fn state(r: &mut Random) -> State {
+    let mut s = State::default();
+    s.depth.test = r.bool();
+    s.depth.func = r.pick(&FUNCS);
+    s.depth.mask = r.bool();
+    s.stencil.test = r.below(3) == 0;
+    s.stencil.func = r.pick(&FUNCS);
+    s.stencil.reference = r.below(300) as i32 - 20;
+    s.stencil.value_mask = r.pick(&[u32::MAX, 0x0F]);
+    s.stencil.write_mask = r.pick(&[u32::MAX, 0xF0, 0]);
+    (s.stencil.fail, s.stencil.depth_fail, s.stencil.depth_pass) = (r.pick(&OPS), r.pick(&OPS), r.pick(&OPS));
+    let c = &mut s.color_buffer;
+    c.alpha_test = r.below(3) == 0;
+    c.alpha_func = r.pick(&FUNCS);
+    c.alpha_ref = r.unit() as f32;
+    c.blend = r.bool();
+    let (src, dst) = match r.below(3) {
+        0 => (GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA),
+        1 => r.pick(&[
+            (GL_ONE, GL_ONE),
+            (GL_ONE, GL_ZERO),
+            (GL_SRC_ALPHA, GL_ONE),
+            (GL_ONE, GL_ONE_MINUS_SRC_ALPHA),
+            (GL_DST_COLOR, GL_ZERO),
+            (GL_ZERO, GL_SRC_COLOR),
+        ]),
+        _ => (r.pick(&FACTORS), r.pick(&FACTORS)),
+    };
+    (c.blend_src, c.blend_dst) = ([src; 2], [dst; 2]);
+    if r.below(8) == 0 {
+        (c.blend_src[1], c.blend_dst[1]) = (r.pick(&FACTORS), r.pick(&FACTORS));
+    }
+    c.blend_equation = match r.below(3) {
+        0 => r.pick(&[GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX]),
+        _ => GL_FUNC_ADD,
+    };
+    c.blend_color = std::array::from_fn(|_| r.unit() as f32);
+    c.logic_op_enabled = r.below(6) == 0;
+    c.logic_op = GL_CLEAR + r.below(16) as u32;
+    c.color_mask = if r.below(3) == 0 { std::array::from_fn(|_| r.bool()) } else { [true; 4] };
+    s.fog.enabled = r.below(3) == 0;
+    s.fog.mode = r.pick(&[GL_LINEAR, GL_EXP, GL_EXP2]);
+    s.fog.density = r.pick(&[0.0, 0.3, 2.0]);
+    (s.fog.start, s.fog.end) = r.pick(&[(0.0, 1.0), (0.7, 0.7), (3.0, 1.0)]);
+    s.fog.color = std::array::from_fn(|_| r.unit() as f32);
+    s.fog.color_sum = r.below(4) == 0;
+    s.lighting.enabled = r.below(4) == 0;
+    s.lighting.model.color_control = r.pick(&[GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR]);
+    s
+}
+
+/// Two overlapping primitives with values for every slot that any program asks for: colour, secondary colour, fog.
+fn scene(r: &mut Random, secondary: bool, fog: bool) -> Scene {
+    let mut scene = Scene::default();
+    for _ in 0..2 {
+        let affine = r.bool();
+        let w = if affine { [1.0; 3] } else { [1.0, 0.2 + 0.8 * r.unit(), 0.3 + 0.7 * r.unit()] };
+        let flat = r.below(3) == 0;
+        let mut corners = || {
+            let v = [r.unit() * 0.5, r.unit() * 0.5, r.unit() * 0.5];
+            if flat { [v[0]; 3] } else { v }
+        };
+        let all: Vec<_> = (0..8).map(|_| corners()).collect();
+        let mut slots = all[..if secondary { 7 } else { 4 }].to_vec();
+        slots.extend(fog.then(|| all[7].map(|v| v * 3.0)));
+        let z = if r.below(4) == 0 { [8e6; 3] } else { std::array::from_fn(|_| r.unit() * 1.7e7) };
+        scene.push([3, -2], [90.0, 20.0], z, w, &slots);
+        if r.below(4) == 0 {
+            scene.planes.last_mut().unwrap().wide = Planes::WIDE_W;
+        }
+    }
+    scene
+}
+
+#[test]
+fn nothing_that_is_left_out_changes_a_bit() {
+    let mut r = Random::new(11);
+    let rects = [(0, [2, 0, 90, 15]), (1, [40, 3, 37, 16])];
+    let mut shorter = 0;
+    for case in 0..700 {
+        let state = state(&mut r);
+        let format = FramebufferFormat {
+            float: r.below(5) == 0,
+            depth_bits: r.pick(&[24, 24, 16, 32, 0]),
+            stencil_bits: r.pick(&[8, 8, 0]),
+            color_bits: [8, 8, 8, r.pick(&[8, 8, 0])],
+            accum_bits: 0,
+        };
+        let coverage = false;
+        let mut want = None;
+        let seed = r.next();
+        for level in Level::available() {
+            for general in [true, false] {
+                let options = Options { general, coverage, count_samples: true, q_units: 0 };
+                let p = program(level, &state, &format, options);
+                if !general && p.stage_names().len() < 10 {
+                    shorter += 1;
+                }
+                let scene = scene(&mut Random::new(seed), p.layout.secondary.is_some(), p.layout.fog.is_some());
+                for feed in Feed::ALL {
+                    let mut f = Framebuffer::new(96, 20, format).unwrap();
+                    let clear = Clear {
+                        color: Some(([0.2, 0.4, 0.6, 0.8], [true; 4])),
+                        depth: Some(0.5),
+                        stencil: Some((0x5A, 0xFF)),
+                        accum: None,
+                    };
+                    f.clear(&clear, None).unwrap();
+                    let samples = draw(&p, &scene, &mut f, feed, &rects);
+                    let got = (contents(&f), samples);
+                    match &want {
+                        None => want = Some(got),
+                        Some(want) => assert!(
+                            *want == got,
+                            "case {case} {level:?} general {general} {feed:?}\n{}{:?}",
+                            p.explain(),
+                            p.stage_names()
+                        ),
+                    }
+                }
+            }
+        }
+    }
+    assert!(shorter > 300, "only {shorter} programs left much out");
+}
+
+#[test]
+fn no_plane_makes_it_panic() {
+    let mut r = Random::new(5);
+    let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, 0.0, -0.0, 1e-320, 5e9];
+    for _ in 0..300 {
+        let state = state(&mut r);
+        let format = FramebufferFormat::default();
+        let mut scene = Scene::default();
+        let number = |r: &mut Random| if r.bool() { r.pick(&odd) } else { r.unit() * 4.0 - 2.0 };
+        for _ in 0..12 {
+            let (n0, nx, ny) = (number(&mut r), number(&mut r), number(&mut r));
+            let (c, min, max) = (number(&mut r) as f32, number(&mut r) as f32, number(&mut r) as f32);
+            scene.pool.push(Plane { c, min, max, n0, nx, ny });
+        }
+        let linear = |r: &mut Random| Linear { at: number(r), x: number(r), y: number(r) };
+        for first in [0, 7, 11, u32::MAX] {
+            let (z, d) = (linear(&mut r), linear(&mut r));
+            let (affine, wide) = (r.bool(), r.pick(&[0, u32::MAX]));
+            let origin = [r.pick(&[0, i32::MAX, i32::MIN]), r.pick(&[0, i32::MAX, i32::MIN])];
+            scene.planes.push(Planes { origin, z, d, affine, wide, first });
+        }
+        for level in Level::available() {
+            for general in [false, true] {
+                let p = program(level, &state, &format, Options { general, ..Options::default() });
+                for feed in [Feed::Rows, Feed::SingleRows] {
+                    let mut f = Framebuffer::new(70, 3, format).unwrap();
+                    let rects: Vec<_> = (0..4).map(|i| (i, [0, 0, 70, 3])).collect();
+                    draw(&p, &scene, &mut f, feed, &rects);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn segments_that_lie_leave_the_band_alone() {
+    use crate::fragment::batch::{FragmentBatch, Segment};
+    let mut state = State::default();
+    state.depth.test = true;
+    let format = FramebufferFormat::default();
+    let scene = super::flat([1.0; 4], 5.0);
+    for level in Level::available() {
+        let p = program(level, &state, &format, Options::default());
+        let mut b = Box::new(FragmentBatch::new());
+        for (start, len, offset, row, n) in [
+            (0, 64, u32::MAX, true, 64),
+            (0, 64, 30, true, 64),
+            (60, 64, 0, true, 64),
+            (u32::MAX, u32::MAX, 5, true, usize::MAX),
+            (0, 64, 0, false, 64),
+            (3, 9, 2, true, 64),
+        ] {
+            let mut f = Framebuffer::new(10, 6, format).unwrap();
+            b.segments[0] = Segment { prim: 0, start, len, x: 0, y: 0, offset, row };
+            b.segments[1] = Segment { prim: 9, ..b.segments[0] };
+            b.offset = [u32::MAX; 64];
+            (b.segment_count, b.tex.n) = (2, n);
+            p.run(&mut b, &scene.planes, &scene.pool, &mut f.band());
+            b.segment_count = usize::MAX;
+            p.run(&mut b, &scene.planes, &scene.pool, &mut f.band());
+        }
+    }
+}
