@@ -7,6 +7,7 @@
 #![expect(unsafe_code, reason = "C hands over raw pointers; `memory` and `current` say what is asked of them")]
 
 mod current;
+mod glu;
 mod handmade;
 mod memory;
 mod osmesa;

@@ -128,7 +128,6 @@ impl Engine {
     }
 
     /// How client memory is laid out for commands that write images.
-    #[cfg_attr(not(feature = "capi"), expect(dead_code, reason = "only the C door has to know"))]
     pub(crate) fn pack_store(&self) -> PixelStore {
         self.client.pixel_store.pack
     }

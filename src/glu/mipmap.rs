@@ -8,7 +8,6 @@
 
 use super::grid::{Grid, Kernel};
 use super::scale::ImageError;
-use super::unpack::{tight_unpack, unpack_store};
 use crate::context::{Context, NULL, Pixels};
 use crate::enums::*;
 use crate::error::{invalid_enum, invalid_value};
@@ -17,6 +16,7 @@ use crate::pixels::unpack::ClientImage;
 use crate::state::pixel::PixelStore;
 use crate::texture::format::InternalFormat;
 use std::borrow::Cow;
+use std::ops::RangeInclusive;
 
 /// Which levels a `...MipmapLevels` function loads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,7 @@ fn try_build(cx: &mut Context, job: &Job<'_>, levels: Option<Levels>) -> Result<
     if untouched && *wanted.end() <= level {
         return Ok(());
     }
-    let store = unpack_store(cx);
+    let store = cx.engine.unpack_store();
     let layout = if job.data.is_tight() { PixelStore::TIGHT } else { store };
     let image = if job.dimensions == 3 {
         ClientImage::new_3d(bytes, &layout, job.size, pixel)?
@@ -95,21 +95,34 @@ fn try_build(cx: &mut Context, job: &Job<'_>, levels: Option<Levels>) -> Result<
         ClientImage::new_2d(bytes, &layout, [job.size[0], job.size[1]], pixel)?
     };
     let target = size.map(|n| n.unsigned_abs() as usize);
-    let mut grid = Grid::unpack(&image).and_then(|g| g.resized(target, Kernel::Area)).ok_or(ImageError::Memory)?;
-    tight_unpack(cx, &store, |cx| {
-        for l in level..=*wanted.end() {
-            if l > level {
-                grid.halve().ok_or(ImageError::Memory)?;
-            }
-            if l < base || l == level && untouched {
-                continue;
-            }
+    let grid = Grid::unpack(&image).and_then(|g| g.resized(target, Kernel::Area)).ok_or(ImageError::Memory)?;
+    cx.engine.set_unpack_store(PixelStore::TIGHT);
+    let result = upload_levels(cx, job, pixel, grid, level, base.max(level + i32::from(untouched))..=*wanted.end());
+    cx.engine.set_unpack_store(store);
+    result
+}
+
+/// Hands levels to the GL as floats; `grid` is level `at`.
+#[track_caller]
+fn upload_levels(
+    cx: &mut Context,
+    job: &Job<'_>,
+    pixel: PixelFormat,
+    mut grid: Grid,
+    at: i32,
+    wanted: RangeInclusive<i32>,
+) -> Result<(), ImageError> {
+    for l in at..=*wanted.end() {
+        if l > at {
+            grid.halve().ok_or(ImageError::Memory)?;
+        }
+        if wanted.contains(&l) {
             let floats = grid.components(pixel).ok_or(ImageError::Memory)?;
             let bytes = Pixels::Bytes(Cow::Borrowed(bytemuck::cast_slice(&floats)));
             upload(cx, job, l, grid.size.map(|n| n as i32), GL_FLOAT, bytes);
         }
-        Ok(())
-    })
+    }
+    Ok(())
 }
 
 /// The same memory without a copy of it.

@@ -1,7 +1,7 @@
 //! GLU, the utility library (GLU 1.3): mipmaps, image scaling, projections, quadrics, strings.
 //!
-//! Everything here is made of GL commands of a [`Context`], as a program could write it; nothing reaches into the
-//! engine. Functions keep GLU's names in snake_case and take the context first: `gluPerspective` is
+//! Everything here is made of GL commands of a [`Context`], as a program could write it; only the pixel store is read and
+//! set aside behind its back. Functions keep GLU's names in snake_case and take the context first: `gluPerspective` is
 //! [`perspective`]`(cx, ..)`. Functions on images return 0 or a code (`GLU_INVALID_ENUM`, ...), as in C; the sentence that
 //! goes with it reaches the debug callback. See spec-notes/glu.md.
 
@@ -14,7 +14,6 @@ mod quadrics;
 mod revolution;
 mod scale;
 mod strings;
-mod unpack;
 
 pub use constants::*;
 pub use matrices::{
@@ -25,6 +24,8 @@ pub use mipmap::Levels;
 pub use project::{project, un_project, un_project4};
 pub use quadrics::{ErrorCallback, Quadric};
 pub use strings::{check_extension, error_string, get_string};
+#[cfg(feature = "capi")]
+pub(crate) use strings::{error_words, words};
 
 use crate::context::{Context, IntoInt, Pixels, PixelsMut};
 use crate::enums::GLenum;
@@ -162,7 +163,7 @@ pub fn scale_image<'a, 'b>(
     data_out: impl Into<PixelsMut<'b>>,
 ) -> i32 {
     let (input, mut output) = (data_in.into(), data_out.into());
-    let (unpack, pack) = (unpack::unpack_store(cx), unpack::pack_store(cx));
+    let (unpack, pack) = (cx.engine.unpack_store(), cx.engine.pack_store());
     let from = scale::Side { size: [width_in, height_in], type_: type_in, store: &unpack };
     let to = scale::Side { size: [width_out, height_out], type_: type_out, store: &pack };
     let output: &mut [u8] = match &mut output {

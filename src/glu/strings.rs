@@ -2,32 +2,43 @@
 
 use super::constants::*;
 use crate::enums::*;
+use std::ffi::CStr;
+
+/// An error code of GL or GLU in words, as C wants them.
+pub(crate) fn error_words(error: GLenum) -> Option<&'static CStr> {
+    Some(match error {
+        GL_NO_ERROR => c"no error",
+        GL_INVALID_ENUM | GLU_INVALID_ENUM => c"invalid enumerant",
+        GL_INVALID_VALUE | GLU_INVALID_VALUE => c"invalid value",
+        GL_INVALID_OPERATION | GLU_INVALID_OPERATION => c"invalid operation",
+        GL_STACK_OVERFLOW => c"stack overflow",
+        GL_STACK_UNDERFLOW => c"stack underflow",
+        GL_OUT_OF_MEMORY | GLU_OUT_OF_MEMORY => c"out of memory",
+        GL_TABLE_TOO_LARGE => c"table too large",
+        GLU_INCOMPATIBLE_GL_VERSION => c"incompatible gl version",
+        _ => return None,
+    })
+}
+
+/// GLU's strings, as C wants them.
+pub(crate) fn words(name: GLenum) -> Option<&'static CStr> {
+    match name {
+        GLU_VERSION => Some(c"1.3"),
+        GLU_EXTENSIONS => Some(c""),
+        _ => None,
+    }
+}
 
 /// An error code of GL or GLU in words, `None` for a number that is neither.
 #[must_use]
 pub fn error_string(error: GLenum) -> Option<&'static str> {
-    Some(match error {
-        GL_NO_ERROR => "no error",
-        GL_INVALID_ENUM | GLU_INVALID_ENUM => "invalid enumerant",
-        GL_INVALID_VALUE | GLU_INVALID_VALUE => "invalid value",
-        GL_INVALID_OPERATION | GLU_INVALID_OPERATION => "invalid operation",
-        GL_STACK_OVERFLOW => "stack overflow",
-        GL_STACK_UNDERFLOW => "stack underflow",
-        GL_OUT_OF_MEMORY | GLU_OUT_OF_MEMORY => "out of memory",
-        GL_TABLE_TOO_LARGE => "table too large",
-        GLU_INCOMPATIBLE_GL_VERSION => "incompatible gl version",
-        _ => return None,
-    })
+    error_words(error)?.to_str().ok()
 }
 
 /// GLU's version (`GLU_VERSION`) or its extensions (`GLU_EXTENSIONS`, none), `None` for another name.
 #[must_use]
 pub fn get_string(name: GLenum) -> Option<&'static str> {
-    match name {
-        GLU_VERSION => Some("1.3"),
-        GLU_EXTENSIONS => Some(""),
-        _ => None,
-    }
+    words(name)?.to_str().ok()
 }
 
 /// Whether the list `extensions` (names between blanks) has `name` as a whole word.
