@@ -22,7 +22,7 @@ use super::batch::TexBatch;
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::batch::{LANES, Stage, stage};
 use crate::enums::*;
-use crate::num::{clamp_f32, floor_to_int, max_f32, round_f32, round_to_int};
+use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
 
 /// In a stage's argument: which coordinate (0 to 2).
 pub const COORDINATE: u32 = 3;
@@ -31,7 +31,10 @@ pub const SECOND: u32 = 4;
 /// In the argument of a NEAREST stage: only for lanes marked in `nearest`; the others keep what LINEAR found.
 pub const MERGE: u32 = 8;
 
+/// From here on every float is a whole number.
 const WHOLE: f32 = 8_388_608.0;
+/// Adding it rounds to a whole number, which then stands in the low bits (see `num`).
+const MAGIC: f32 = 12_582_912.0;
 const SIGN: u32 = 0x8000_0000;
 
 /// |s| less the nearest whole number, -0.5..=0.5; 0 for what is no number.
@@ -81,13 +84,20 @@ fn mirror_border(s: f32, scale: f32, n: f32) -> f32 {
 /// Index and weight of a linear filter. `END` says how an index beyond the range comes back.
 #[inline(always)]
 fn linear<const END: u8>(x: f32, n: f32) -> (i32, f32) {
-    if END == TO_BORDER {
-        let i = clamp_f32(round_f32(x - 1.0), -1.0, n - 1.0);
-        return (round_to_int(i), (x - 0.5) - i);
+    // The whole number nearest to x - 1, rounded once: subtracting 1 first would round twice.
+    let biased = x + (MAGIC - 1.0);
+    let i = biased - MAGIC;
+    match END {
+        TO_BORDER => {
+            let i = clamp_f32(i, -1.0, n - 1.0);
+            (round_to_int(i), (x - 0.5) - i)
+        }
+        _ => {
+            let index = (biased.to_bits() as i32).wrapping_sub(MAGIC.to_bits() as i32);
+            let again = if END == AROUND { index >> 31 & round_to_int(n) } else { 0 };
+            (index + again, (x - 0.5) - i)
+        }
     }
-    let i = round_to_int(x - 1.0);
-    let i = if END == AROUND { i + (i >> 31 & round_to_int(n)) } else { i };
-    (i, (x - 0.5) - round_f32(x - 1.0))
 }
 
 /// Index of the nearest texel.
@@ -243,21 +253,74 @@ pub fn period(wrap: GLenum) -> u8 {
     }
 }
 
-/// Index and weight where both of a stage's results are of interest: for tests.
 #[cfg(test)]
-fn both(wrap: GLenum, s: f32, n: f32) -> ((i32, f32), i32) {
-    let x: fn(f32, f32, f32) -> f32 = match wrap {
-        GL_CLAMP | GL_CLAMP_TO_EDGE => clamp,
-        GL_CLAMP_TO_BORDER => border,
-        GL_MIRRORED_REPEAT => mirrored,
-        GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_EDGE_EXT => mirror_clamp,
-        GL_MIRROR_CLAMP_TO_BORDER_EXT => mirror_border,
-        _ => repeat,
-    };
-    let x = x(s, n, n);
-    match wrap {
-        GL_CLAMP_TO_BORDER | GL_MIRROR_CLAMP_TO_BORDER_EXT => (linear::<TO_BORDER>(x, n), nearest::<TO_BORDER>(x, n)),
-        GL_REPEAT => (linear::<AROUND>(x, n), nearest::<AROUND>(x, n)),
-        _ => (linear::<TO_EDGE>(x, n), nearest::<TO_EDGE>(x, n)),
+mod tests {
+    use super::*;
+
+    /// The linear and the nearest result of a wrap mode.
+    fn both(wrap: GLenum, s: f32, n: f32) -> ((i32, f32), i32) {
+        let x: fn(f32, f32, f32) -> f32 = match wrap {
+            GL_CLAMP | GL_CLAMP_TO_EDGE => clamp,
+            GL_CLAMP_TO_BORDER => border,
+            GL_MIRRORED_REPEAT => mirrored,
+            GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_EDGE_EXT => mirror_clamp,
+            GL_MIRROR_CLAMP_TO_BORDER_EXT => mirror_border,
+            _ => repeat,
+        };
+        let x = x(s, n, n);
+        match wrap {
+            GL_CLAMP_TO_BORDER | GL_MIRROR_CLAMP_TO_BORDER_EXT => {
+                (linear::<TO_BORDER>(x, n), nearest::<TO_BORDER>(x, n))
+            }
+            GL_REPEAT => (linear::<AROUND>(x, n), nearest::<AROUND>(x, n)),
+            _ => (linear::<TO_EDGE>(x, n), nearest::<TO_EDGE>(x, n)),
+        }
+    }
+
+    #[test]
+    fn every_float_gives_an_index_in_range() {
+        let wraps = [
+            GL_REPEAT,
+            GL_CLAMP,
+            GL_CLAMP_TO_BORDER,
+            GL_MIRRORED_REPEAT,
+            GL_MIRROR_CLAMP_EXT,
+            GL_MIRROR_CLAMP_TO_BORDER_EXT,
+        ];
+        // Every 40,009th bit pattern: all magnitudes, both signs, infinities and NaNs.
+        let patterns = (0..=u32::MAX).step_by(40_009).map(f32::from_bits);
+        let near = (-4000..4000).map(|i| i as f32 / 1000.0).flat_map(|s| [s.next_down(), s, s.next_up()]);
+        for s in patterns.chain(near) {
+            for wrap in wraps {
+                for n in [1.0, 2.0, 3.0, 7.0, 100.0, 256.0, 8192.0] {
+                    let ((i, w), j) = both(wrap, s, n);
+                    assert!((-1..n as i32).contains(&i), "{wrap:x} {s:e} of {n}: {i}");
+                    assert!((0.0..=1.0).contains(&w), "{wrap:x} {s:e} of {n}: weight {w}");
+                    assert!((-1..=n as i32).contains(&j), "{wrap:x} {s:e} of {n}: nearest {j}");
+                    if matches!(wrap, GL_CLAMP | GL_MIRRORED_REPEAT | GL_MIRROR_CLAMP_EXT) {
+                        assert!((0..n as i32).contains(&j), "{wrap:x} {s:e} of {n}: nearest {j}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn repeat_keeps_the_fraction_of_every_number() {
+        for bits in (0..=0x7f7f_ffffu32).step_by(9973) {
+            for s in [f32::from_bits(bits), -f32::from_bits(bits)] {
+                let exact = (f64::from(s) * 256.0).floor().rem_euclid(256.0) as i32;
+                assert_eq!(both(GL_REPEAT, s, 256.0).1 & 255, exact, "{s:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn level_sizes_are_halved_and_rounded_down() {
+        for base in [1u32, 2, 3, 5, 100, 255, 256, 1023, 8192] {
+            for level in 0..14 {
+                assert_eq!(level_size(base as f32, level), (base >> level).max(1) as f32, "{base} at {level}");
+            }
+        }
     }
 }

@@ -21,6 +21,10 @@ pub mod readback;
 pub mod s3tc;
 mod s3tc_encode;
 pub mod sampler;
+#[cfg(test)]
+mod sampler_tests;
 pub mod shadow;
+#[cfg(test)]
+mod test_support;
 pub mod uniforms;
 pub mod upload;
