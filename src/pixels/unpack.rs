@@ -264,15 +264,16 @@ fn scatter<E: Element>(groups: &[u8], swap: bool, channels: &[usize], out: &mut 
 }
 
 fn unpack_packed(groups: &[u8], swap: bool, packing: &Packing, channels: &[usize], out: &mut [[f32; 4]]) {
-    for (to, from) in out.iter_mut().zip(groups.chunks_exact(packing.bytes)) {
-        let element = match packing.bytes {
-            1 => u8::read(from, swap).into(),
-            2 => u16::read(from, swap).into(),
-            _ => u32::read(from, swap),
-        };
-        for (i, &channel) in channels.iter().enumerate() {
-            let bits = packing.bits[i & 3];
-            to[channel & 3] = unorm_to_f32(element >> packing.shifts[i & 3] & ((1 << bits) - 1), bits);
+    let element = |from: &[u8]| match packing.bytes {
+        1 => u8::read(from, swap).into(),
+        2 => u16::read(from, swap).into(),
+        _ => u32::read(from, swap),
+    };
+    for (i, &channel) in channels.iter().enumerate() {
+        let (shift, max) = (packing.shifts[i & 3], (1u32 << packing.bits[i & 3]) - 1);
+        for (to, from) in out.iter_mut().zip(groups.chunks_exact(packing.bytes)) {
+            // Both numbers are small and exact, so the quotient is rounded once.
+            to[channel & 3] = (element(from) >> shift & max) as f32 / max as f32;
         }
     }
 }

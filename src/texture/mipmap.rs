@@ -1,7 +1,8 @@
-//! Levels made from a level (OpenGL 1.5, section 3.8.8, GENERATE_MIPMAP; GenerateMipmap; GLU). The specification leaves
-//! the filter open and recommends a box. A dimension of even size n = 2m takes the mean of each two texels. An odd size
+//! Levels made from a level (OpenGL 1.5, section 3.8.8, GENERATE_MIPMAP; GenerateMipmap). The specification leaves the
+//! filter open and recommends a box. A dimension of even size n = 2m takes the mean of each two texels. An odd size
 //! n = 2m + 1 takes three texels with the weights (m - i, m, i + 1)/n, the exact share that m equal texels have in n: so
-//! the mean of the image stays the mean. Dimensions are reduced one after the other, so 1D, 2D and 3D are one filter.
+//! the mean of the image stays the mean. Dimensions are reduced one after the other, so 1D, 2D and 3D are one filter;
+//! rows are taken from the level above as they are needed, so that nothing of its size is kept beside it.
 //!
 //! A chain of levels is computed in floats from its base and each level is rounded once, on its way into its image, so
 //! the rounding of one level never reaches the next.
@@ -9,13 +10,13 @@
 use super::image::{Image, Texels, zeroed};
 use crate::error::Outcome;
 
-/// Groups of four floats in a box, the first dimension fastest.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// Texels in each dimension, with the border.
-    pub size: [usize; 3],
-    /// The texels.
-    pub texels: Vec<[f32; 4]>,
+/// Four components.
+type Texel = [f32; 4];
+
+/// A level with its border, in floats, the first dimension fastest.
+struct Level {
+    size: [usize; 3],
+    texels: Vec<Texel>,
 }
 
 /// The size of the next level: half of each dimension, rounded down, at least 1.
@@ -36,140 +37,186 @@ pub fn levels(base: &Image, count: usize) -> Outcome<Vec<Image>> {
     if base.is_null() {
         return Ok(made);
     }
+    let border = base.border as usize;
     let mut size = [base.width, base.height, base.depth];
-    let mut level = None;
+    let mut above: Option<Level> = None;
     for _ in 0..count.min(levels_below(size)) {
-        let next = match &level {
+        let level = match &above {
             None => first_reduction(base)?,
-            Some(level) => reduce(level, base.border as usize)?,
+            Some(Level { size: [w, h, d], texels }) if is_even(border, [*w, *h, *d]) => {
+                quarter([*w, *h], |y| texels.get(y * w..(y + 1) * w).unwrap_or(&[]), |t| *t)?
+            }
+            Some(Level { size: [w, h, d], texels }) => reduce([*w, *h, *d], border, |y, z, to| {
+                let at = (z * h + y) * w;
+                to.copy_from_slice(texels.get(at..at + w).unwrap_or(&[]));
+            })?,
         };
         size = next_size(size);
-        made.push(to_image(base, size, &next)?);
-        level = Some(next);
+        made.push(to_image(base, size, &level)?);
+        above = Some(level);
     }
     Ok(made)
 }
 
-/// The next level of `level`. With a border (1) the outer texels are a border: they are reduced along the edges that
-/// they lie on and stay a border.
-pub fn reduce(level: &Level, border: usize) -> Outcome<Level> {
-    let [w, h, d] = level.size;
-    if border == 0 && d == 1 && w % 2 == 0 && h % 2 == 0 {
-        return quarter(w, |at| level.texels.get(at..at + w).unwrap_or(&[]), h, |&t| t);
-    }
-    let mut level = reduce_axis(level, 0, border)?;
-    for axis in 1..3 {
-        level = reduce_axis(&level, axis, border)?;
-    }
-    Ok(level)
-}
-
-/// The first reduction reads the image itself where the short way applies.
+/// The first reduction reads the image itself.
 fn first_reduction(base: &Image) -> Outcome<Level> {
-    let (w, h) = (base.width as usize, base.height as usize);
-    if base.border == 0 && base.depth == 1 && w % 2 == 0 && h % 2 == 0 {
-        let (origin, stride) = (base.origin(), base.row_stride());
-        let at = |tight: usize| origin + tight / w * stride;
-        match base.own_texels() {
-            Texels::Rgba8(t) => return quarter(w, |y| t.get(at(y)..at(y) + w).unwrap_or(&[]), h, numbers),
-            Texels::Float(t) => return quarter(w, |y| t.get(at(y)..at(y) + w).unwrap_or(&[]), h, |&t| t),
-            Texels::Depth(_) => {}
+    let full = base.full_size().map(|n| n as usize);
+    let first = base.first();
+    match base.own_texels() {
+        Texels::Rgba8(texels) if is_even(base.border as usize, full) => {
+            let row = |y| {
+                let at = base.index(0, y as i32, 0);
+                texels.get(at..at + full[0]).unwrap_or(&[])
+            };
+            quarter([full[0], full[1]], row, |t| t.to_le_bytes().map(f32::from))
         }
+        _ => reduce(full, base.border as usize, |y, z, to| {
+            read_row(base, base.index(first[0], first[1] + y as i32, first[2] + z as i32), to);
+        }),
     }
-    reduce(&from_image(base)?, base.border as usize)
 }
 
-/// A packed texel as whole numbers from 0 to 255: sums of those are exact.
-#[inline]
-fn numbers(texel: &u32) -> [f32; 4] {
-    texel.to_le_bytes().map(f32::from)
+/// Whether [`quarter`] may take the place of [`reduce`].
+fn is_even(border: usize, [w, h, d]: [usize; 3]) -> bool {
+    border == 0 && d == 1 && w.is_multiple_of(2) && h.is_multiple_of(2)
 }
 
-/// The mean of each 2 x 2 texels: both dimensions at once. `row` gives the row that begins at an index of a tight image.
+/// [`reduce`] for two even dimensions at once: the same sums, as only halves are taken of them.
 fn quarter<'a, T: 'a>(
-    w: usize,
+    [w, h]: [usize; 2],
     row: impl Fn(usize) -> &'a [T],
-    h: usize,
-    fetch: impl Fn(&T) -> [f32; 4],
+    fetch: impl Fn(&T) -> Texel,
 ) -> Outcome<Level> {
-    let size = [w / 2, h / 2, 1];
-    let mut texels = zeroed(size[0] * size[1], [0.0; 4])?;
-    for (y, out) in texels.chunks_exact_mut(size[0]).enumerate() {
-        let (upper, lower) = (row(2 * y * w), row((2 * y + 1) * w));
-        let pairs = upper.as_chunks::<2>().0.iter().zip(lower.as_chunks::<2>().0);
-        for (to, (upper, lower)) in out.iter_mut().zip(pairs) {
-            let [a, b, c, d] = [&upper[0], &upper[1], &lower[0], &lower[1]].map(&fetch);
+    let mut texels = zeroed(w / 2 * (h / 2), [0.0; 4])?;
+    for (y, out) in texels.chunks_exact_mut(w / 2).enumerate() {
+        let pairs = row(2 * y).as_chunks::<2>().0.iter().zip(row(2 * y + 1).as_chunks::<2>().0);
+        for (to, ([a, b], [c, d])) in out.iter_mut().zip(pairs) {
+            let [a, b, c, d] = [a, b, c, d].map(&fetch);
             *to = std::array::from_fn(|i| ((a[i] + b[i]) + (c[i] + d[i])) * 0.25);
         }
     }
-    Ok(Level { size, texels })
+    Ok(Level { size: [w / 2, h / 2, 1], texels })
 }
 
-/// Halves one dimension.
-fn reduce_axis(level: &Level, axis: usize, border: usize) -> Outcome<Level> {
-    let full = level.size[axis];
+/// What an item of a reduced dimension is made of: `count` items from `first` on with weights, divided by `whole`.
+#[derive(Clone, Copy, PartialEq)]
+struct Taps {
+    first: usize,
+    count: usize,
+    weights: [f32; 3],
+    whole: f32,
+}
+
+/// The items of a dimension of `full` texels, border included, after it is reduced. A border is reduced along the edges
+/// that it lies on and stays a border: across, it is copied.
+fn taps(full: usize, border: usize) -> Outcome<Vec<Taps>> {
+    let copy = |first| Taps { first, count: 1, weights: [1.0; 3], whole: 1.0 };
     // A dimension that the image has not is 1 long and has no border.
     let border = if full >= 3 { border } else { 0 };
     let n = full - 2 * border;
     let m = n / 2;
     if m == 0 {
-        return Ok(level.clone());
+        return Ok((0..full).map(copy).collect());
     }
-    let inner: usize = level.size[..axis].iter().product();
-    let outer: usize = level.size[axis + 1..].iter().product();
-    let mut size = level.size;
-    size[axis] = m + 2 * border;
-    let mut texels = zeroed(inner * size[axis] * outer, [0.0; 4])?;
-    let slices = texels.chunks_exact_mut(inner * size[axis]).zip(level.texels.chunks_exact(inner * full));
-    for (to, from) in slices {
-        let line = |i: usize| from.get(i * inner..(i + 1) * inner).unwrap_or(&[]);
-        for (i, to) in to.chunks_exact_mut(inner).enumerate() {
-            if i < border {
-                to.copy_from_slice(line(0));
-            } else if i >= border + m {
-                to.copy_from_slice(line(full - 1));
+    let mut taps = zeroed(m + 2 * border, copy(0))?;
+    for (i, tap) in taps.iter_mut().enumerate() {
+        *tap = if i < border {
+            copy(0)
+        } else if i >= border + m {
+            copy(full - 1)
+        } else {
+            let i = i - border;
+            let first = border + 2 * i;
+            if n.is_multiple_of(2) {
+                Taps { first, count: 2, weights: [1.0; 3], whole: 2.0 }
             } else {
-                let i = i - border;
-                let from = border + 2 * i;
-                if n.is_multiple_of(2) {
-                    mean(to, line(from), line(from + 1));
-                } else {
-                    let weights = [m - i, m, i + 1].map(|w| w as f32);
-                    polyphase(to, [line(from), line(from + 1), line(from + 2)], weights, n as f32);
-                }
+                Taps { first, count: 3, weights: [m - i, m, i + 1].map(|w| w as f32), whole: n as f32 }
             }
+        };
+    }
+    Ok(taps)
+}
+
+/// The next level of a level of `size`, border included. `row` writes row y of slice z.
+fn reduce(size: [usize; 3], border: usize, row: impl Fn(usize, usize, &mut [Texel])) -> Outcome<Level> {
+    let [across, down, deep] = [taps(size[0], border)?, taps(size[1], border)?, taps(size[2], border)?];
+    let width = across.len();
+    let mut texels = zeroed(width * down.len() * deep.len(), [0.0; 4])?;
+    let mut whole_row = zeroed(size[0], [0.0; 4])?;
+    // Reduced rows of the level above, with their places: an odd dimension needs its last row once more.
+    let mut rows = [zeroed(width, [0.0; 4])?, zeroed(width, [0.0; 4])?, zeroed(width, [0.0; 4])?];
+    let mut places = [None; 3];
+    let mut slices = [zeroed(width, [0.0; 4])?, zeroed(width, [0.0; 4])?, zeroed(width, [0.0; 4])?];
+    for (n, out) in texels.chunks_exact_mut(width).enumerate() {
+        let (y, z) = (down[n % down.len()], deep[n / down.len()]);
+        for (dz, slice) in slices.iter_mut().enumerate().take(z.count) {
+            for dy in 0..y.count {
+                let place = Some((y.first + dy, z.first + dz));
+                if places[dy] == place {
+                    continue;
+                }
+                if let Some(have) = places.iter().position(|p| *p == place) {
+                    rows.swap(dy, have);
+                    places.swap(dy, have);
+                    continue;
+                }
+                row(y.first + dy, z.first + dz, &mut whole_row);
+                reduce_row(&whole_row, &across, &mut rows[dy]);
+                places[dy] = place;
+            }
+            combine(y, &rows, slice);
+        }
+        combine(z, &slices, out);
+    }
+    Ok(Level { size: [width, down.len(), deep.len()], texels })
+}
+
+/// Reduces a row along itself.
+fn reduce_row(from: &[Texel], across: &[Taps], to: &mut [Texel]) {
+    for (to, taps) in to.iter_mut().zip(across) {
+        let from = from.get(taps.first..taps.first + taps.count).unwrap_or(&[]);
+        *to = match from {
+            [a] => *a,
+            [a, b] => mean(a, b),
+            [a, b, c] => weigh(taps, a, b, c),
+            _ => [0.0; 4],
+        };
+    }
+}
+
+/// Combines up to three rows texel by texel.
+fn combine(taps: Taps, [a, b, c]: &[Vec<Texel>; 3], to: &mut [Texel]) {
+    match taps.count {
+        1 => to.copy_from_slice(a),
+        2 => to.iter_mut().zip(a.iter().zip(b)).for_each(|(to, (a, b))| *to = mean(a, b)),
+        _ => {
+            let texels = a.iter().zip(b).zip(c);
+            to.iter_mut().zip(texels).for_each(|(to, ((a, b), c))| *to = weigh(&taps, a, b, c));
         }
     }
-    Ok(Level { size, texels })
 }
 
-fn mean(to: &mut [[f32; 4]], a: &[[f32; 4]], b: &[[f32; 4]]) {
-    for (to, (a, b)) in to.iter_mut().zip(a.iter().zip(b)) {
-        *to = std::array::from_fn(|c| (a[c] + b[c]) * 0.5);
-    }
+#[inline]
+fn mean(a: &Texel, b: &Texel) -> Texel {
+    std::array::from_fn(|i| (a[i] + b[i]) * 0.5)
 }
 
-fn polyphase(to: &mut [[f32; 4]], [a, b, c]: [&[[f32; 4]]; 3], w: [f32; 3], whole: f32) {
-    for (to, ((a, b), c)) in to.iter_mut().zip(a.iter().zip(b).zip(c)) {
-        *to = std::array::from_fn(|i| (a[i] * w[0] + b[i] * w[1] + c[i] * w[2]) / whole);
-    }
+#[inline]
+fn weigh(taps: &Taps, a: &Texel, b: &Texel, c: &Texel) -> Texel {
+    let [u, v, w] = taps.weights;
+    std::array::from_fn(|i| (a[i] * u + b[i] * v + c[i] * w) / taps.whole)
 }
 
-/// The texels of an image with its border: packed ones as numbers from 0 to 255, others as they are.
-pub fn from_image(image: &Image) -> Outcome<Level> {
-    let size = image.full_size().map(|n| n as usize);
-    let mut texels = zeroed(size.iter().product(), [0.0; 4])?;
-    let first = image.first();
-    for (n, to) in texels.chunks_exact_mut(size[0].max(1)).enumerate() {
-        let (y, z) = ((n % size[1]) as i32, (n / size[1]) as i32);
-        let at = image.index(first[0], first[1] + y, first[2] + z);
-        match image.own_texels() {
-            Texels::Rgba8(t) => to.iter_mut().zip(t.iter().skip(at)).for_each(|(to, t)| *to = numbers(t)),
-            Texels::Float(t) => to.iter_mut().zip(t.iter().skip(at)).for_each(|(to, t)| *to = *t),
-            Texels::Depth(t) => to.iter_mut().zip(t.iter().skip(at)).for_each(|(to, t)| *to = [*t; 4]),
+/// The texels of an image from an index on: packed ones as whole numbers from 0 to 255, whose sums are exact.
+fn read_row(image: &Image, at: usize, to: &mut [Texel]) {
+    match image.own_texels() {
+        Texels::Rgba8(t) => {
+            let row = t.get(at..at + to.len()).unwrap_or(&[]);
+            to.iter_mut().zip(row).for_each(|(to, t)| *to = t.to_le_bytes().map(f32::from));
         }
+        Texels::Float(t) => to.iter_mut().zip(t.iter().skip(at)).for_each(|(to, t)| *to = *t),
+        Texels::Depth(t) => to.iter_mut().zip(t.iter().skip(at)).for_each(|(to, t)| *to = [*t; 4]),
     }
-    Ok(Level { size, texels })
 }
 
 /// An image like `like`, of the given interior size, that holds a level: each texel rounded to what its format keeps.
