@@ -2,8 +2,12 @@
 //! framebuffer and the two ends of the pipeline. Its commands are spread over the files of this room, a chapter a file;
 //! this file only says what there is.
 
+use super::arrays::Arrays;
 use super::attrib::SavedAttributes;
+use super::begin_end::Primitive;
+use super::buffers::Buffers;
 use super::config::Config;
+use super::draw_arrays::VertexCache;
 use super::queries::Queries;
 use super::tex_image::{Proxies, Proxy};
 use super::textures::Textures;
@@ -21,7 +25,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Client {
     pub(crate) pixel_store: PixelStores,
-    pub(crate) arrays: (),
+    pub(crate) arrays: Arrays,
 }
 
 /// The state machine and the pipeline.
@@ -43,6 +47,12 @@ pub(crate) struct Engine {
     pub(crate) textures: Textures,
     /// What the proxy targets answer.
     pub(crate) proxies: Box<Proxies>,
+    /// Buffer objects.
+    pub(crate) buffers: Buffers,
+    /// Whether a Begin has no End yet.
+    pub(crate) primitive: Primitive,
+    /// Which vertices of an indexed draw have been transformed.
+    pub(crate) vertex_cache: VertexCache,
     /// Vertices on their way to primitives.
     pub(crate) pipe: Pipe,
     /// Draws that wait for a flush.
@@ -87,6 +97,9 @@ impl Engine {
             client_attributes: Vec::new(),
             textures: Textures::default(),
             proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),
+            buffers: Buffers::default(),
+            primitive: Primitive::default(),
+            vertex_cache: VertexCache::default(),
             pipe: Pipe::new(config.level, config.batch_cut),
             scene: Scene::new(config.threads, config.batch_cut),
             program: None,

@@ -3,14 +3,19 @@
 //! from the one table in [`table`], where each command is a row; the methods of the engine do the work.
 
 pub(crate) mod args;
+pub(crate) mod arrays;
 pub(crate) mod attrib;
+pub(crate) mod begin_end;
+pub(crate) mod buffers;
 pub(crate) mod capture;
 pub(crate) mod config;
 pub(crate) mod convert;
 pub(crate) mod counts;
+pub(crate) mod draw_arrays;
 pub(crate) mod enable;
 pub(crate) mod engine;
 pub(crate) mod errors;
+pub(crate) mod fetch;
 pub(crate) mod flush;
 pub(crate) mod fragment_state;
 pub(crate) mod frame;
@@ -23,7 +28,6 @@ pub(crate) mod lists;
 pub(crate) mod matrices;
 pub(crate) mod own;
 pub(crate) mod params;
-pub(crate) mod pending;
 pub(crate) mod pixel_state;
 pub(crate) mod pixels_arg;
 pub(crate) mod queries;

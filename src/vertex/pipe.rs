@@ -74,12 +74,14 @@ impl Pipe {
 
     /// Takes a state; vertices that wait must have been [run](Self::run) before.
     pub fn rebuild(&mut self, state: &State, layout: &Layout, wants: Wants) {
-        self.plan.build(state, layout, wants);
         if self.inside {
-            // The material changed between Begin and End: vertices that a strip holds keep their place and shape.
-            return;
+            // A material, or a q that is not 1, between Begin and End: vertices that a strip holds stay as they are.
+            self.pool.lay_out(&self.plan.layout, layout);
+            self.plan.build(state, layout, wants);
+        } else {
+            self.plan.build(state, layout, wants);
+            self.pool.reset(&self.plan);
         }
-        self.pool.reset(&self.plan);
     }
 
     /// Begins a primitive.
@@ -159,6 +161,12 @@ impl Pipe {
     pub fn array_feed<S: Assembled>(&mut self, ids: impl Iterator<Item = u32>, sink: &mut S) {
         let mut out = Output { plan: &self.plan, clipper: &mut self.clipper, sink };
         self.assembler.feed(ids, &self.pool, &mut out);
+    }
+
+    /// How many vertices the pool holds.
+    #[must_use]
+    pub fn held(&self) -> usize {
+        self.pool.len()
     }
 
     /// Empties the pool up to what the primitive still needs.

@@ -4,6 +4,7 @@
 use super::VertexRef;
 use super::batch::VertexBatch;
 use super::plan::VertexPlan;
+use crate::fragment::planes::Layout;
 use crate::limits::MAX_CLIP_PLANES;
 use crate::raster::vertex::{Vertex, Vertices};
 
@@ -83,6 +84,34 @@ impl Pool {
         }
     }
 
+    /// Brings the slots of all vertices from one layout to another; a q that had no slot is 1.
+    pub fn lay_out(&mut self, from: &Layout, to: &Layout) {
+        if from == to {
+            return;
+        }
+        let pairs = slot_pairs(from, to);
+        self.kept.clear();
+        for i in 0..self.len() {
+            let old = self.vertices.slots(i);
+            let first = self.kept.len();
+            self.kept.resize(first + to.stride, 0.0);
+            for unit in to.units.iter().flatten().filter(|unit| unit.has_q) {
+                if let Some(q) = self.kept.get_mut(first + unit.base + unit.count) {
+                    *q = 1.0;
+                }
+            }
+            for &(at, place, n) in &pairs {
+                for k in 0..n {
+                    if let (Some(from), Some(to)) = (old.get(at + k), self.kept.get_mut(first + place + k)) {
+                        *to = *from;
+                    }
+                }
+            }
+        }
+        std::mem::swap(&mut self.vertices.slots, &mut self.kept);
+        self.vertices.stride = to.stride;
+    }
+
     /// Keeps only the vertices of these ids, at the front and in this order, and renames the ids to where they are.
     pub fn keep(&mut self, ids: &mut [u32]) {
         const MOST: usize = 4;
@@ -112,4 +141,26 @@ impl Pool {
             self.user.extend_from_slice(&distances[..self.user_stride]);
         }
     }
+}
+
+/// What two layouts have in common: place in the first, place in the second, how many slots.
+fn slot_pairs(from: &Layout, to: &Layout) -> Vec<(usize, usize, usize)> {
+    let back = if to.secondary.is_some() { 7 } else { 4 };
+    let mut pairs = Vec::new();
+    let whole = [
+        (from.color, to.color, 4),
+        (from.secondary, to.secondary, 3),
+        (from.fog, to.fog, 1),
+        (from.back, to.back, back),
+    ];
+    pairs.extend(whole.into_iter().filter_map(|(a, b, n)| Some((a?, b?, n))));
+    for (a, b) in from.units.iter().zip(&to.units) {
+        if let (Some(a), Some(b)) = (a, b) {
+            pairs.push((a.base, b.base, a.count.min(b.count)));
+            if a.has_q && b.has_q {
+                pairs.push((a.base + a.count, b.base + b.count, 1));
+            }
+        }
+    }
+    pairs
 }

@@ -1,0 +1,175 @@
+//! Begin, End and what stands between them (OpenGL 1.5, sections 2.6, 2.7 and 2.10): the current attributes, vertices,
+//! rectangles. A vertex is one append to the batch that waits in the pipe; the batch runs when it is full, or when
+//! something asks for what was drawn. State cannot change between Begin and End, except for materials: before one
+//! changes, the vertices that wait run with the material of their time.
+
+use super::engine::Engine;
+use crate::enums::*;
+use crate::error::{GlError, Outcome, invalid_enum, invalid_operation};
+use crate::limits::MAX_TEXTURE_UNITS;
+
+/// Whether the engine is between Begin and End.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Primitive {
+    /// It is not.
+    #[default]
+    Outside,
+    /// It is.
+    Inside,
+    /// It is, and something has changed since the last vertex that the plans must know before the next.
+    Stale,
+}
+
+/// A mode of Begin and of the draw commands, or INVALID_ENUM.
+pub(crate) fn check_mode(mode: GLenum) -> Outcome {
+    if mode <= GL_POLYGON {
+        return Ok(());
+    }
+    Err(invalid_enum(format!("{} is not a primitive; there are GL_POINTS (0) to GL_POLYGON (9)", name(mode))))
+}
+
+#[cold]
+fn nested() -> GlError {
+    invalid_operation("glBegin inside of glBegin and glEnd; call glEnd first")
+}
+
+impl Engine {
+    /// Whether a Begin has been carried out and its End has not.
+    #[inline]
+    pub(crate) fn inside_begin_end(&mut self) -> bool {
+        self.primitive != Primitive::Outside
+    }
+
+    pub(crate) fn begin(&mut self, mode: GLenum) -> Outcome {
+        if self.primitive != Primitive::Outside {
+            return Err(nested());
+        }
+        check_mode(mode)?;
+        self.validate();
+        self.primitive = Primitive::Inside;
+        self.pipe.begin(mode);
+        Ok(())
+    }
+
+    pub(crate) fn end(&mut self) -> Outcome {
+        if std::mem::take(&mut self.primitive) == Primitive::Outside {
+            return Err(invalid_operation("glEnd without a glBegin before it"));
+        }
+        if self.pipe.end() {
+            self.run_vertices();
+        }
+        Ok(())
+    }
+
+    /// A vertex with the current attributes. Outside of Begin and End it does nothing.
+    #[inline]
+    pub(crate) fn vertex(&mut self, position: [f32; 4]) {
+        match self.primitive {
+            Primitive::Inside => {
+                if self.pipe.vertex(position, &self.state.current) {
+                    self.run_vertices();
+                }
+            }
+            Primitive::Outside => {}
+            Primitive::Stale => self.vertex_after_change(position),
+        }
+    }
+
+    #[cold]
+    fn vertex_after_change(&mut self, position: [f32; 4]) {
+        self.primitive = Primitive::Inside;
+        self.validate();
+        self.vertex(position);
+    }
+
+    #[inline]
+    pub(crate) fn color(&mut self, color: [f32; 4]) {
+        self.state.current.color = color;
+        if self.state.lighting.color_material {
+            self.track_color();
+        }
+    }
+
+    #[inline]
+    pub(crate) fn secondary_color(&mut self, color: [f32; 4]) {
+        self.state.current.secondary_color = color;
+    }
+
+    #[inline]
+    pub(crate) fn normal(&mut self, normal: [f32; 3]) {
+        self.state.current.normal = normal;
+    }
+
+    #[inline]
+    pub(crate) fn tex_coord(&mut self, coordinates: [f32; 4]) {
+        self.state.current.tex_coord[0] = coordinates;
+        if coordinates[3] != 1.0 {
+            self.unit_has_q(0);
+        }
+    }
+
+    /// A unit is given a q that is not 1: from now on its q is interpolated.
+    pub(crate) fn unit_has_q(&mut self, unit: usize) {
+        let bit = 1u32.checked_shl(unit as u32).unwrap_or(0);
+        if self.q_units & bit == bit {
+            return;
+        }
+        self.q_units |= bit;
+        self.dirty.fragment = true;
+        if self.primitive != Primitive::Outside {
+            self.run_vertices();
+            self.primitive = Primitive::Stale;
+        }
+    }
+
+    #[inline]
+    pub(crate) fn multi_tex_coord(&mut self, target: GLenum, coordinates: [f32; 4]) -> Outcome {
+        let unit = target.wrapping_sub(GL_TEXTURE0) as usize;
+        match self.state.current.tex_coord.get_mut(unit) {
+            Some(current) => {
+                *current = coordinates;
+                if coordinates[3] != 1.0 {
+                    self.unit_has_q(unit);
+                }
+                Ok(())
+            }
+            None => Err(invalid_enum(format!(
+                "{} is not a texture unit; there are GL_TEXTURE0 to GL_TEXTURE{}",
+                name(target),
+                MAX_TEXTURE_UNITS - 1
+            ))),
+        }
+    }
+
+    #[inline]
+    pub(crate) fn fog_coord(&mut self, coordinate: f32) {
+        self.state.current.fog_coord = coordinate;
+    }
+
+    #[inline]
+    pub(crate) fn index(&mut self, index: f32) {
+        self.state.current.index = index;
+    }
+
+    #[inline]
+    pub(crate) fn edge_flag(&mut self, flag: bool) {
+        self.state.current.edge_flag = flag;
+    }
+
+    /// A rectangle with sides parallel to the axes, as a polygon.
+    pub(crate) fn rect(&mut self, [x1, y1, x2, y2]: [f32; 4]) -> Outcome {
+        self.begin(GL_POLYGON)?;
+        for [x, y] in [[x1, y1], [x2, y1], [x2, y2], [x1, y2]] {
+            self.vertex([x, y, 0.0, 1.0]);
+        }
+        self.end()
+    }
+
+    /// Vertices that were issued before keep the material of their time.
+    pub(crate) fn before_material_change(&mut self) {
+        if self.primitive != Primitive::Outside {
+            self.run_vertices();
+            self.primitive = Primitive::Stale;
+        }
+    }
+}

@@ -1,0 +1,303 @@
+//! Drawing from arrays (OpenGL 1.5, section 2.8): DrawArrays, DrawElements and their sisters, ArrayElement. Whole batches are
+//! read from the arrays and transformed. Of an indexed draw a chunk of up to 4096 different vertices is transformed,
+//! each once, and then assembled by the list of indices: a mesh pays for its vertices, not for its indices.
+
+use super::arrays::{ATTRIBUTES, Arrays, Attribute};
+use super::begin_end::check_mode;
+use super::buffers::Buffers;
+use super::engine::Engine;
+use super::fetch::Sources;
+use super::hooks::ArrayElement;
+use super::pixels_arg::{Indices, index_size};
+use crate::batch::LANES;
+use crate::enums::*;
+use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::limits::MAX_TEXTURE_UNITS;
+
+/// Different vertices of a chunk.
+const CHUNK_VERTICES: u32 = 4096;
+/// Indices of a chunk.
+const CHUNK_INDICES: usize = 6 * CHUNK_VERTICES as usize;
+/// Places of the cache; a vertex has one place, by its index.
+const PLACES: usize = 8192;
+
+/// Which vertices of a chunk have been met, by index: a direct-mapped cache. A vertex that was pushed out of its place is
+/// transformed again, which changes nothing but time.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct VertexCache {
+    /// Index, and chunk number times 2^13 plus the vertex's id in the pool.
+    places: Vec<(u32, u32)>,
+    chunk: u32,
+    /// The chunk's indices as ids of the pool.
+    ids: Vec<u32>,
+}
+
+const ID_BITS: u32 = 13;
+
+impl VertexCache {
+    /// Forgets the vertices of the last chunk.
+    fn next_chunk(&mut self) {
+        self.ids.clear();
+        self.chunk = (self.chunk + 1) & (u32::MAX >> ID_BITS);
+        if self.chunk == 0 || self.places.is_empty() {
+            self.places.clear();
+            self.places.resize(PLACES, (0, 0));
+            self.chunk = 1;
+        }
+    }
+
+    /// The id of a vertex; `Err` with a place to note it in where it is new.
+    #[inline]
+    fn id(&mut self, index: u32, new: u32) -> (u32, bool) {
+        let Some(place) = self.places.get_mut(index as usize % PLACES) else { return (new, true) };
+        let tag = self.chunk << ID_BITS;
+        if place.0 == index && place.1 & !((1 << ID_BITS) - 1) == tag {
+            return (place.1 & ((1 << ID_BITS) - 1), false);
+        }
+        *place = (index, tag | new);
+        (new, true)
+    }
+}
+
+/// An index list as numbers.
+fn numbers(bytes: &[u8], size: usize) -> impl Iterator<Item = u32> + '_ {
+    bytes.chunks_exact(size).map(|b| match *b {
+        [a] => u32::from(a),
+        [a, b] => u32::from(u16::from_ne_bytes([a, b])),
+        [a, b, c, d] => u32::from_ne_bytes([a, b, c, d]),
+        _ => 0,
+    })
+}
+
+/// The bytes of an index list and the size of an index.
+fn index_bytes<'a>(
+    arrays: &Arrays,
+    buffers: &'a Buffers,
+    count: i32,
+    type_: GLenum,
+    indices: &'a Indices<'_>,
+) -> Outcome<(&'a [u8], usize)> {
+    let size = index_size(type_).ok_or_else(|| {
+        invalid_enum(format!(
+            "{} is not a type of indices: GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT",
+            name(type_)
+        ))
+    })?;
+    let len = count.max(0) as usize * size;
+    let short =
+        |there: usize| invalid_operation(format!("{count} indices take {len} bytes, but only {there} are there"));
+    match indices {
+        Indices::Bytes(bytes) => Ok((bytes.get(..len).ok_or_else(|| short(bytes.len()))?, size)),
+        Indices::Offset(offset) => {
+            let Some(buffer) = buffers.get(arrays.element_buffer) else {
+                return match len {
+                    0 => Ok((&[], size)),
+                    _ => Err(invalid_operation("no indices: give a list, or bind one to GL_ELEMENT_ARRAY_BUFFER")),
+                };
+            };
+            if buffer.mapped {
+                return Err(invalid_operation("the buffer object of indices is mapped; call glUnmapBuffer first"));
+            }
+            let rest = buffer.data.get(*offset..).unwrap_or_default();
+            Ok((rest.get(..len).ok_or_else(|| short(rest.len()))?, size))
+        }
+    }
+}
+
+impl Engine {
+    /// The checks of all draws; a mapped buffer object must not be read.
+    pub(crate) fn check_draw(&mut self, mode: GLenum, count: i32) -> Outcome {
+        check_mode(mode)?;
+        if count < 0 {
+            return Err(invalid_value(format!("count = {count} is negative")));
+        }
+        let mapped = |name: u32| name != 0 && self.buffers.get(name).is_some_and(|buffer| buffer.mapped);
+        match self.client.arrays.pointers.iter().find(|p| p.enabled && mapped(p.buffer)) {
+            Some(p) => Err(invalid_operation(format!(
+                "buffer object {} is mapped and holds an enabled array; call glUnmapBuffer first",
+                p.buffer
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Plans for the state, and nothing waiting. False where there is nothing to draw from.
+    fn start_arrays(&mut self, mode: GLenum) -> bool {
+        for unit in 0..MAX_TEXTURE_UNITS {
+            let p = &self.client.arrays.pointers[Attribute::TexCoord as usize + unit];
+            if p.enabled && p.size == 4 {
+                self.unit_has_q(unit);
+            }
+        }
+        self.validate();
+        self.run_vertices();
+        let enabled = self.client.arrays.pointers[Attribute::Vertex as usize].enabled;
+        if enabled {
+            self.pipe.batch.splat(&self.state.current, self.pipe.plan.needs);
+            self.pipe.array_begin(mode);
+        }
+        enabled
+    }
+
+    pub(crate) fn draw_arrays(&mut self, mode: GLenum, first: i32, count: i32) -> Outcome {
+        self.check_draw(mode, count)?;
+        let Ok(first) = u32::try_from(first) else {
+            return Err(invalid_value(format!("first = {first} is negative")));
+        };
+        if count == 0 || !self.start_arrays(mode) {
+            return Ok(());
+        }
+        let end = first + count.unsigned_abs();
+        let Self { pipe, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let needs = pipe.plan.needs;
+        let sources = Sources::new(&client.arrays, buffers, (first, end - 1), |place| Sources::wanted(place, needs));
+        sources.defaults(&mut pipe.batch);
+        let cut = pipe.cut() as u32;
+        let mut at = first;
+        while at < end {
+            let n = cut.min(end - at);
+            let ids: [u32; LANES] = std::array::from_fn(|i| at.wrapping_add(i as u32));
+            sources.fill(&ids[..n as usize], &mut pipe.batch);
+            let id = pipe.array_batch();
+            pipe.array_feed(id..id + n, scene);
+            pipe.array_flush();
+            if scene.is_full() {
+                queries.passed += scene.make_room(framebuffer, config.threads);
+            }
+            at += n;
+        }
+        pipe.array_end(scene);
+        Ok(())
+    }
+
+    pub(crate) fn draw_elements(&mut self, mode: GLenum, count: i32, type_: GLenum, indices: &Indices<'_>) -> Outcome {
+        self.check_draw(mode, count)?;
+        index_bytes(&self.client.arrays, &self.buffers, count, type_, indices)?;
+        if count == 0 || !self.start_arrays(mode) {
+            return Ok(());
+        }
+        let Self { pipe, scene, client, buffers, framebuffer, config, queries, vertex_cache: cache, .. } = self;
+        let (bytes, size) = index_bytes(&client.arrays, buffers, count, type_, indices)?;
+        // Only memory of unknown length needs to know which elements are drawn.
+        let range = if client.arrays.has_client_memory() {
+            numbers(bytes, size).fold((u32::MAX, 0), |(least, most), i| (least.min(i), most.max(i)))
+        } else {
+            (0, u32::MAX)
+        };
+        let needs = pipe.plan.needs;
+        let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
+        sources.defaults(&mut pipe.batch);
+        let cut = pipe.cut();
+        let mut indices = numbers(bytes, size).peekable();
+        while indices.peek().is_some() {
+            cache.next_chunk();
+            let mut next = pipe.held() as u32;
+            let most = next + CHUNK_VERTICES;
+            let mut fresh = [0; LANES];
+            let mut n = 0;
+            while next < most && cache.ids.len() < CHUNK_INDICES {
+                let Some(index) = indices.next() else { break };
+                let (id, new) = cache.id(index, next);
+                cache.ids.push(id);
+                if new {
+                    next += 1;
+                    fresh[n] = index;
+                    n += 1;
+                    if n >= cut {
+                        sources.fill(&fresh[..n], &mut pipe.batch);
+                        pipe.array_batch();
+                        n = 0;
+                    }
+                }
+            }
+            if n > 0 {
+                sources.fill(&fresh[..n], &mut pipe.batch);
+                pipe.array_batch();
+            }
+            pipe.array_feed(cache.ids.iter().copied(), scene);
+            pipe.array_flush();
+            if scene.is_full() {
+                queries.passed += scene.make_room(framebuffer, config.threads);
+            }
+        }
+        pipe.array_end(scene);
+        Ok(())
+    }
+
+    pub(crate) fn draw_range_elements(
+        &mut self,
+        mode: GLenum,
+        start: u32,
+        end: u32,
+        count: i32,
+        type_: GLenum,
+        indices: &Indices<'_>,
+    ) -> Outcome {
+        if end < start {
+            return Err(invalid_value(format!("end = {end} lies before start = {start}")));
+        }
+        self.draw_elements(mode, count, type_, indices)
+    }
+
+    /// The indices of `DrawElements` as numbers, for a display list.
+    pub(crate) fn element_indices(&mut self, count: i32, type_: GLenum, indices: &Indices<'_>) -> Outcome<Vec<u32>> {
+        let (bytes, size) = index_bytes(&self.client.arrays, &self.buffers, count, type_, indices)?;
+        let mut all = Vec::new();
+        all.try_reserve_exact(bytes.len() / size)
+            .map_err(|_| crate::error::out_of_memory("no memory left for the indices"))?;
+        all.extend(numbers(bytes, size));
+        Ok(all)
+    }
+
+    /// The values of the enabled arrays at an index.
+    pub(crate) fn array_element_values(&mut self, index: i32) -> Outcome<ArrayElement> {
+        let Ok(id) = u32::try_from(index) else {
+            return Err(invalid_value(format!("index {index} is negative")));
+        };
+        self.check_draw(GL_POINTS, 0)?;
+        let sources = Sources::new(&self.client.arrays, &self.buffers, (id, id), |_| true);
+        let value = |attribute: Attribute| sources.element(attribute as usize, id);
+        let rgb = |[r, g, b, _]: [f32; 4]| [r, g, b];
+        let tex_coords = (Attribute::TexCoord as usize..ATTRIBUTES)
+            .filter_map(|place| Some(((place - Attribute::TexCoord as usize) as u32, sources.element(place, id)?)));
+        Ok(ArrayElement {
+            edge_flag: value(Attribute::EdgeFlag).map(|v| v[0] != 0.0),
+            fog_coord: value(Attribute::FogCoord).map(|v| v[0]),
+            index: value(Attribute::Index).map(|v| v[0]),
+            tex_coords: tex_coords.collect(),
+            normal: value(Attribute::Normal).map(rgb),
+            secondary_color: value(Attribute::SecondaryColor),
+            color: value(Attribute::Color),
+            vertex: value(Attribute::Vertex),
+        })
+    }
+
+    pub(crate) fn array_element(&mut self, i: i32) -> Outcome {
+        let element = self.array_element_values(i)?;
+        if let Some(flag) = element.edge_flag {
+            self.edge_flag(flag);
+        }
+        if let Some(coordinate) = element.fog_coord {
+            self.fog_coord(coordinate);
+        }
+        if let Some(index) = element.index {
+            self.index(index);
+        }
+        for (unit, coordinates) in element.tex_coords {
+            self.multi_tex_coord(GL_TEXTURE0.wrapping_add(unit), coordinates)?;
+        }
+        if let Some(normal) = element.normal {
+            self.normal(normal);
+        }
+        if let Some(color) = element.secondary_color {
+            self.secondary_color(color);
+        }
+        if let Some(color) = element.color {
+            self.color(color);
+        }
+        if let Some(position) = element.vertex {
+            self.vertex(position);
+        }
+        Ok(())
+    }
+}
