@@ -139,3 +139,76 @@ pub fn footprint_stage(dims: usize) -> &'static Stage<TexFn> {
         _ => &FOOTPRINT_3D,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::enums::*;
+    use crate::state::texture::Target;
+    use crate::texture::object::TextureObject;
+    use crate::texture::test_support::*;
+
+    /// Level l is grey of 10 + 30 l.
+    fn levels(aniso: f32) -> TextureObject {
+        let mut o = object(Target::D2, GL_LUMINANCE8, [64, 64, 1], 7, |_, l, _| grey(10 + 30 * l as i32));
+        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        o.parameters.max_anisotropy = aniso;
+        o
+    }
+
+    /// A footprint of x by y texels of 64.
+    fn footprint(x: f32, y: f32) -> Point {
+        Point { dx: [x / 64.0, 0.0, 0.0], dy: [0.0, y / 64.0, 0.0], ..at(0.4, 0.6, 0.0) }
+    }
+
+    #[test]
+    fn lambda_is_that_of_the_longer_side_over_the_taps() {
+        // (Px, Py, limit) -> N and from it log2(Pmax / N).
+        let table: [(f32, f32, f32, f32); 9] = [
+            (8.0, 8.0, 16.0, 1.0),
+            (8.0, 4.0, 16.0, 2.0),
+            (4.0, 8.0, 16.0, 2.0),
+            (9.0, 4.0, 16.0, 3.0),
+            (32.0, 2.0, 16.0, 16.0),
+            (32.0, 2.0, 4.0, 4.0),
+            (32.0, 2.0, 4.9, 4.0),
+            (32.0, 0.0, 8.0, 8.0),
+            (32.0, 1.0, 1000.0, 16.0),
+        ];
+        for (x, y, limit, n) in table {
+            let want = 10.0 + 30.0 * (f64::from(x.max(y) / n)).log2();
+            let got = f64::from(red(&levels(limit), footprint(x, y)));
+            assert!((got - want).abs() < 0.02, "{x} by {y}, at most {limit}: {got}, not {want}");
+        }
+    }
+
+    #[test]
+    fn taps_lie_along_the_longer_side() {
+        // Columns; lambda limited to 0, so that level 0 is read by each tap.
+        let mut o = object(Target::D2, GL_LUMINANCE8, [16, 4, 1], 5, |_, _, [i, ..]| grey(i * i));
+        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        o.parameters.max_anisotropy = 3.0;
+        o.parameters.max_lod = 0.0;
+        o.parameters.lod_bias = -9.0;
+        o.parameters.max_lod = 1.0;
+        // Px = 8 texels, Py = 1: three taps at -1/4, 0, +1/4 of 8 texels around the centre of texel 7.
+        let p = Point { dx: [0.5, 0.0, 0.0], dy: [0.0, 0.25, 0.0], ..at(7.5 / 16.0, 0.4, 0.0) };
+        assert!((red(&o, p) - (25.0 + 49.0 + 81.0) / 3.0).abs() < 0.001, "{}", red(&o, p));
+    }
+
+    #[test]
+    fn a_square_footprint_is_the_isotropic_filter_bit_for_bit() {
+        let points: Vec<Point> = (0..64)
+            .map(|i| with_lambda(at(i as f32 * 0.37, i as f32 * 0.11, 0.0), f64::from(i) * 0.1 - 1.0, 64.0))
+            .collect();
+        let texels = |aniso| {
+            let mut o = object(Target::D2, GL_RGBA8, [64, 64, 1], 7, |_, l, [i, j, _]| {
+                [(i * 7 % 13) as f32 / 13.0, (j * 5 % 11) as f32 / 11.0, l as f32 / 7.0, 1.0]
+            });
+            (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+            o.parameters.max_anisotropy = aniso;
+            sample(&o, &points)
+        };
+        let bits = |c: Vec<[f32; 4]>| c.into_iter().map(|c| c.map(f32::to_bits)).collect::<Vec<_>>();
+        assert_eq!(bits(texels(1.0)), bits(texels(16.0)));
+    }
+}

@@ -73,3 +73,78 @@ stage! {
         faces(b, true);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::enums::*;
+    use crate::state::texture::Target;
+    use crate::texture::object::TextureObject;
+    use crate::texture::test_support::*;
+
+    /// Face f has texels 40 f + 4 j + i, four by four.
+    fn faces() -> TextureObject {
+        let mut o =
+            object(Target::Cube, GL_LUMINANCE8, [4, 4, 1], 3, |f, _, [i, j, _]| grey(40 * f as i32 + 4 * j + i));
+        o.parameters.wrap = [GL_CLAMP_TO_EDGE; 3];
+        o
+    }
+
+    #[test]
+    fn every_direction_has_its_face_whatever_its_length() {
+        let o = faces();
+        for x in -1..=1 {
+            for y in -1..=1 {
+                for z in -1..=1 {
+                    let v = [x as f32, y as f32, z as f32];
+                    // z before y before x; the zero vector reads +z.
+                    let face = match (x, y, z) {
+                        (_, _, 1) | (0, 0, 0) => 4,
+                        (_, _, -1) => 5,
+                        (_, 1, _) => 2,
+                        (_, -1, _) => 3,
+                        (1, ..) => 0,
+                        _ => 1,
+                    };
+                    for k in [1e-30, 1.0, 1e30] {
+                        let texel = red(&o, at(v[0] * k, v[1] * k, v[2] * k)) as i32;
+                        assert_eq!(texel / 40, face, "{v:?} times {k}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn coordinates_on_a_face_follow_the_table() {
+        let o = faces();
+        // A direction a little off each axis by (0.6, -0.2) in the two other components, and s, t by table 3.18.
+        let table: [([f32; 3], f32, f32); 6] = [
+            ([1.0, -0.2, 0.6], -0.6, 0.2),
+            ([-1.0, -0.2, 0.6], 0.6, 0.2),
+            ([0.6, 1.0, -0.2], 0.6, -0.2),
+            ([0.6, -1.0, -0.2], 0.6, 0.2),
+            ([0.6, -0.2, 1.0], 0.6, 0.2),
+            ([0.6, -0.2, -1.0], -0.6, 0.2),
+        ];
+        for (face, (v, sc, tc)) in table.into_iter().enumerate() {
+            let texel = |c: f32| ((c + 1.0) / 2.0 * 4.0).floor() as i32;
+            let want = 40 * face as i32 + 4 * texel(tc) + texel(sc);
+            assert_eq!(red(&o, at(v[0], v[1], v[2])), want as f32, "{v:?}");
+        }
+    }
+
+    #[test]
+    fn lambda_is_that_of_the_projection() {
+        let mut o = object(Target::Cube, GL_LUMINANCE8, [64, 64, 1], 7, |_, l, _| grey(10 + 30 * l as i32));
+        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        // On face +z at distance m: s = x / 2m, so rho = 64 * dx / 2m; moving along the direction changes nothing.
+        let (m, d) = (5.0f32, 0.7f32);
+        let p = Point { at: [0.0, 0.0, m], dx: [d, 0.0, 9.0], dy: [0.0, 0.1, -3.0] };
+        let lambda = (64.0 * f64::from(d) / (2.0 * f64::from(m))).log2();
+        assert!((f64::from(red(&o, p)) - 10.0 - 30.0 * lambda).abs() < 0.02, "{}", red(&o, p));
+        // Away from the centre the change of m counts: ds/dx = (dx - s dm) / 2m with s = x/m.
+        let p = Point { at: [2.0, 0.0, m], dx: [d, 0.0, 0.5], dy: [0.0; 3] };
+        let lambda = (64.0 * (0.7 - 0.4 * 0.5) / 10.0f64).log2();
+        assert!((f64::from(red(&o, p)) - 10.0 - 30.0 * lambda).abs() < 0.02, "{}", red(&o, p));
+    }
+}

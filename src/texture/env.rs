@@ -234,3 +234,179 @@ impl EnvPlan {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::LANES;
+    use BaseFormat::*;
+
+    const P: [f32; 4] = [0.25, 0.5, 0.75, 0.5];
+    const C: [f32; 4] = [0.5, 0.25, 1.0, 0.75];
+
+    /// The texel as it arrives for a base format.
+    fn texel(base: BaseFormat) -> [f32; 4] {
+        base.expand([0.5, 0.125, 0.25, 0.75])
+    }
+
+    /// Runs units with the given texels over the primary colour `P` at every SIMD level.
+    fn run(units: &[Option<(&Env, BaseFormat)>], texels: &[[f32; 4]]) -> [f32; 4] {
+        let mut results = Level::available().map(|level| {
+            let plan = EnvPlan::build(level, units);
+            let mut b = TexBatch::new();
+            b.n = LANES;
+            b.primary = P.map(|c| [c; LANES]);
+            b.previous = [[f32::NAN; LANES]; 4];
+            for (unit, texel) in texels.iter().enumerate() {
+                b.texel[unit] = texel.map(|c| [c; LANES]);
+            }
+            plan.run(&mut b);
+            b.previous.map(|c| c[LANES - 1])
+        });
+        let first = results.next().unwrap();
+        for other in results {
+            assert_eq!(first.map(f32::to_bits), other.map(f32::to_bits));
+        }
+        first
+    }
+
+    fn one(mode: GLenum, base: BaseFormat) -> [f32; 4] {
+        let env = Env { mode, color: C, ..Env::default() };
+        run(&[Some((&env, base))], &[texel(base)])
+    }
+
+    fn close(a: [f32; 4], b: [f32; 4]) -> bool {
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6)
+    }
+
+    #[test]
+    fn every_mode_and_base_format_follows_the_tables() {
+        for base in [Alpha, Luminance, LuminanceAlpha, Intensity, Rgb, Rgba] {
+            let t = texel(base);
+            let color = base != Alpha;
+            let alpha = matches!(base, Alpha | LuminanceAlpha | Intensity | Rgba);
+            let pick = |f: &dyn Fn(usize) -> f32| -> [f32; 4] {
+                std::array::from_fn(|c| if if c < 3 { color } else { alpha } { f(c) } else { P[c] })
+            };
+            let mut want_blend = pick(&|c| P[c] * (1.0 - t[c]) + C[c] * t[c]);
+            let mut want_add = pick(&|c| (P[c] + t[c]).min(1.0));
+            if alpha && base != Intensity {
+                want_blend[3] = P[3] * t[3];
+                want_add[3] = P[3] * t[3];
+            }
+            assert_eq!(one(GL_REPLACE, base), pick(&|c| t[c]), "REPLACE {base:?}");
+            assert_eq!(one(GL_MODULATE, base), pick(&|c| P[c] * t[c]), "MODULATE {base:?}");
+            assert!(close(one(GL_BLEND, base), want_blend), "BLEND {base:?}: {:?}", one(GL_BLEND, base));
+            assert_eq!(one(GL_ADD, base), want_add, "ADD {base:?}");
+            let want_decal = match base {
+                Rgb => [t[0], t[1], t[2], P[3]],
+                Rgba => [0, 1, 2, 3].map(|c| if c < 3 { P[c] * (1.0 - t[3]) + t[c] * t[3] } else { P[3] }),
+                _ => P,
+            };
+            assert!(close(one(GL_DECAL, base), want_decal), "DECAL {base:?}");
+        }
+    }
+
+    fn combine_env(rgb: GLenum, alpha: GLenum) -> Env {
+        Env {
+            mode: GL_COMBINE,
+            color: C,
+            combine: [rgb, alpha],
+            source: [[GL_TEXTURE; 2], [GL_PRIMARY_COLOR; 2], [GL_CONSTANT; 2]],
+            operand: [[GL_SRC_COLOR, GL_SRC_ALPHA]; 3],
+            ..Env::default()
+        }
+    }
+
+    #[test]
+    fn every_combine_function_with_every_scale() {
+        let t = texel(Rgba);
+        let dot = 4.0 * (0..3).map(|c| (t[c] - 0.5) * (P[c] - 0.5)).sum::<f32>();
+        type F = fn(f32, f32, f32) -> f32;
+        let table: [(GLenum, F); 6] = [
+            (GL_REPLACE, |a, _, _| a),
+            (GL_MODULATE, |a, b, _| a * b),
+            (GL_ADD, |a, b, _| a + b),
+            (GL_ADD_SIGNED, |a, b, _| a + b - 0.5),
+            (GL_INTERPOLATE, |a, b, c| a * c + b * (1.0 - c)),
+            (GL_SUBTRACT, |a, b, _| a - b),
+        ];
+        for k in [1.0, 2.0, 4.0] {
+            for (name, f) in table {
+                for (other, g) in table {
+                    let env = Env { scale: [k, 1.0], ..combine_env(name, other) };
+                    let want = std::array::from_fn(|c| {
+                        let v = if c < 3 { f(t[c], P[c], C[c]) * k } else { g(t[c], P[c], C[c]) };
+                        v.clamp(0.0, 1.0)
+                    });
+                    assert!(close(run(&[Some((&env, Rgba))], &[t]), want), "{name:x} {other:x} times {k}");
+                }
+            }
+            let env = Env { scale: [k, 2.0], ..combine_env(GL_DOT3_RGB, GL_REPLACE) };
+            let d = (dot * k).clamp(0.0, 1.0);
+            assert!(close(run(&[Some((&env, Rgba))], &[t]), [d, d, d, 1.0]));
+            let env = Env { scale: [k, 2.0], ..combine_env(GL_DOT3_RGBA, GL_REPLACE) };
+            assert!(close(run(&[Some((&env, Rgba))], &[t]), [d, d, d, (dot * 2.0).clamp(0.0, 1.0)]));
+            let env = Env { scale: [k, 2.0], ..combine_env(GL_DOT3_RGBA_EXT, GL_REPLACE) };
+            assert!(close(run(&[Some((&env, Rgba))], &[t]), [dot.clamp(0.0, 1.0); 4]), "not scaled");
+        }
+    }
+
+    #[test]
+    fn operands_and_crossbar() {
+        let t = texel(Rgba);
+        let mut env = combine_env(GL_REPLACE, GL_REPLACE);
+        for (operand, want) in [
+            (GL_SRC_COLOR, [t[0], t[1], t[2]]),
+            (GL_ONE_MINUS_SRC_COLOR, [1.0 - t[0], 1.0 - t[1], 1.0 - t[2]]),
+            (GL_SRC_ALPHA, [t[3]; 3]),
+            (GL_ONE_MINUS_SRC_ALPHA, [1.0 - t[3]; 3]),
+        ] {
+            env.operand[0] = [operand, GL_ONE_MINUS_SRC_ALPHA];
+            assert_eq!(run(&[Some((&env, Rgba))], &[t]), [want[0], want[1], want[2], 1.0 - t[3]]);
+        }
+        // Unit 0 reads the texture of unit 1, and unit 1 that of unit 0.
+        let u = [0.125, 0.25, 0.375, 0.5];
+        let mut first = combine_env(GL_REPLACE, GL_REPLACE);
+        first.source[0] = [GL_TEXTURE1; 2];
+        let mut second = combine_env(GL_MODULATE, GL_MODULATE);
+        second.source[0] = [GL_TEXTURE0; 2];
+        second.source[1] = [GL_PREVIOUS; 2];
+        let got = run(&[Some((&first, Rgba)), Some((&second, Rgba))], &[t, u]);
+        assert!(close(got, std::array::from_fn(|c| t[c] * u[c])));
+        // A texture that is not there leaves the colour as it comes.
+        assert_eq!(run(&[Some((&first, Rgba)), None], &[t, u]), P);
+        assert_eq!(run(&[None, None], &[]), P);
+        assert_eq!(run(&[], &[]), P);
+    }
+
+    #[test]
+    fn units_follow_each_other_and_gaps_do_not_matter() {
+        let modulate = Env::default();
+        let add = Env { mode: GL_ADD, ..Env::default() };
+        let t = texel(Rgba);
+        let got = run(
+            &[None, Some((&modulate, Rgba)), None, Some((&add, Rgb))],
+            &[[0.9; 4], t, [0.9; 4], [0.5, 0.5, 0.5, 1.0]],
+        );
+        let want = std::array::from_fn(|c| if c < 3 { (P[c] * t[c] + 0.5).min(1.0) } else { P[c] * t[c] });
+        assert!(close(got, want), "{got:?} {want:?}");
+    }
+
+    #[test]
+    fn what_only_moves_or_multiplies_takes_one_step() {
+        let steps = |mode, base| {
+            let env = Env { mode, ..Env::default() };
+            let plan = EnvPlan::build(Level::Baseline, &[Some((&env, base))]);
+            plan.plan.steps.iter().map(|s| s.name).collect::<Vec<_>>()
+        };
+        assert_eq!(steps(GL_REPLACE, Rgba), ["ENV_REPLACE"]);
+        assert_eq!(steps(GL_MODULATE, Rgba), ["ENV_MODULATE"]);
+        assert_eq!(steps(GL_MODULATE, Rgb), ["ENV_MODULATE", "ENV_REPLACE"]);
+        let env = Env { mode: GL_COMBINE, ..Env::default() };
+        let plan = EnvPlan::build(Level::Baseline, &[Some((&env, Rgba))]);
+        assert_eq!(plan.plan.steps.len(), 1, "COMBINE with its initial values is MODULATE");
+        let env = Env { scale: [2.0, 1.0], ..env };
+        assert!(EnvPlan::build(Level::Baseline, &[Some((&env, Rgba))]).plan.steps.len() > 1);
+    }
+}

@@ -78,7 +78,7 @@ fn expand(out: &mut [Lanes; 4], depth: &Lanes, arg: u32) {
 }
 
 #[inline(always)]
-fn sample<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn read<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.work.two_levels {
         return;
@@ -121,35 +121,35 @@ fn sample<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut Te
 stage! {
     /// The nearest depth of a 1D image.
     pub fn DEPTH_NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<1, false, false>(b, u, arg);
+        read::<1, false, false>(b, u, arg);
     }
     /// The nearest depth of a 2D image.
     pub fn DEPTH_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<2, false, false>(b, u, arg);
+        read::<2, false, false>(b, u, arg);
     }
     /// Two depths of a 1D image.
     pub fn DEPTH_LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<1, true, false>(b, u, arg);
+        read::<1, true, false>(b, u, arg);
     }
     /// Four depths of a 2D image.
     pub fn DEPTH_BILINEAR_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<2, true, false>(b, u, arg);
+        read::<2, true, false>(b, u, arg);
     }
     /// The nearest depth of a 1D image, compared with r.
     pub fn SHADOW_NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<1, false, true>(b, u, arg);
+        read::<1, false, true>(b, u, arg);
     }
     /// The nearest depth of a 2D image, compared with r.
     pub fn SHADOW_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<2, false, true>(b, u, arg);
+        read::<2, false, true>(b, u, arg);
     }
     /// Two depths of a 1D image, each compared with r.
     pub fn SHADOW_LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<1, true, true>(b, u, arg);
+        read::<1, true, true>(b, u, arg);
     }
     /// Four depths of a 2D image, each compared with r.
     pub fn SHADOW_BILINEAR_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<2, true, true>(b, u, arg);
+        read::<2, true, true>(b, u, arg);
     }
 }
 
@@ -165,5 +165,73 @@ pub fn stage(dims: usize, linear: bool, compare: bool) -> &'static Stage<TexFn> 
         (_, false, true) => &SHADOW_NEAREST_2D,
         (1, true, true) => &SHADOW_LINEAR_1D,
         (_, true, true) => &SHADOW_BILINEAR_2D,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::enums::*;
+    use crate::state::texture::Target;
+    use crate::texture::object::TextureObject;
+    use crate::texture::test_support::*;
+
+    /// Depths 0, 1/4, 1/2, 3/4 by column.
+    fn depths(mode: GLenum, filter: GLenum) -> TextureObject {
+        let mut o = object(Target::D2, GL_DEPTH_COMPONENT24, [4, 4, 1], 1, |_, _, [i, ..]| [0.25 * i as f32; 4]);
+        o.parameters.wrap = [GL_CLAMP_TO_EDGE; 3];
+        o.parameters.depth_mode = mode;
+        (o.parameters.min_filter, o.parameters.mag_filter) = (filter, filter);
+        o
+    }
+
+    #[test]
+    fn depths_are_read_as_the_mode_says() {
+        for (mode, want) in
+            [(GL_LUMINANCE, [0.5, 0.5, 0.5, 1.0]), (GL_INTENSITY, [0.5; 4]), (GL_ALPHA, [0.0, 0.0, 0.0, 0.5])]
+        {
+            assert_eq!(sample(&depths(mode, GL_NEAREST), &[at(0.6, 0.5, 0.9)])[0], want);
+            assert_eq!(sample(&depths(mode, GL_LINEAR), &[at(0.625, 0.5, 0.9)])[0], want);
+        }
+        assert_eq!(sample(&depths(GL_INTENSITY, GL_LINEAR), &[at(0.5, 0.5, 0.0)])[0], [0.375; 4]);
+    }
+
+    #[test]
+    fn every_comparison_against_less_equal_and_greater() {
+        // r below, at and above the depth 1/2.
+        let table = [
+            (GL_NEVER, [0.0, 0.0, 0.0]),
+            (GL_LESS, [1.0, 0.0, 0.0]),
+            (GL_EQUAL, [0.0, 1.0, 0.0]),
+            (GL_LEQUAL, [1.0, 1.0, 0.0]),
+            (GL_GREATER, [0.0, 0.0, 1.0]),
+            (GL_NOTEQUAL, [1.0, 0.0, 1.0]),
+            (GL_GEQUAL, [0.0, 1.0, 1.0]),
+            (GL_ALWAYS, [1.0, 1.0, 1.0]),
+        ];
+        for filter in [GL_NEAREST, GL_LINEAR] {
+            for (func, want) in table {
+                let mut o = depths(GL_INTENSITY, filter);
+                (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, func);
+                let points = [0.4, 0.5, 0.6].map(|r| at(0.625, 0.5, r));
+                let got: Vec<f32> = sample(&o, &points).iter().map(|c| c[0]).collect();
+                assert_eq!(got, want, "{func:x} {filter:x}");
+            }
+        }
+    }
+
+    #[test]
+    fn linear_blends_comparisons_and_not_depths() {
+        let mut o = depths(GL_INTENSITY, GL_LINEAR);
+        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, GL_LEQUAL);
+        // Between the columns of 1/4 and 1/2, three quarters of the way: r = 0.3 passes in the second only.
+        assert_eq!(sample(&o, &[at(0.5 - 0.0625, 0.5, 0.3)])[0][0], 0.25);
+        assert_eq!(sample(&o, &[at(0.5625, 0.5, 0.3)])[0][0], 0.75);
+        // r is limited to 0..1: beyond 1 it equals a depth of 1.
+        let mut o = object(Target::D1, GL_DEPTH_COMPONENT24, [2, 1, 1], 1, |_, _, _| [1.0; 4]);
+        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, GL_EQUAL);
+        assert_eq!(
+            sample(&o, &[at(0.2, 0.0, 7.0), at(0.2, 0.0, 0.99)]).iter().map(|c| c[0]).collect::<Vec<_>>(),
+            [1.0, 0.0]
+        );
     }
 }
