@@ -1,5 +1,4 @@
 //! The few commands whose C form keeps a pointer or takes pointers to pointers.
-#![expect(non_snake_case, reason = "the names are GL's own")]
 
 use super::osmesa::ClientBuffer;
 use super::{current, memory};

@@ -1,7 +1,6 @@
 //! The OSMesa entry points: off-screen contexts that draw into memory of the program. A C program written for OSMesa runs
 //! unchanged: it makes a context, makes it current with a piece of memory, draws, calls glFinish, and has its picture.
 //! Objects are not shared between contexts.
-#![expect(non_snake_case, reason = "the names are OSMesa's own")]
 
 use super::current;
 use super::present::pixel_bytes;

@@ -1,5 +1,4 @@
 //! Functions by their names: OSMesaGetProcAddress knows every function that the library exports.
-#![expect(non_snake_case, reason = "the names are OSMesa's own")]
 
 use super::osmesa::*;
 use super::{current, glu, handmade, rows};

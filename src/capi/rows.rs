@@ -1,5 +1,4 @@
 //! One exported function for every row of the table and every alias, with the signature that the headers declare.
-#![expect(non_snake_case, reason = "the names are GL's own")]
 
 use super::{current, memory};
 use crate::context::counts;
