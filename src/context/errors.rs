@@ -130,7 +130,24 @@ pub(crate) fn note<T: Default>(
     T::default()
 }
 
+/// Whether a command hands over advice that the engine has for the program: not the attributes of a vertex, of which
+/// there are many.
+pub(crate) const fn tells(outside: bool, method: &str) -> bool {
+    outside || matches!(method.as_bytes(), b"end")
+}
+
 impl Context {
+    /// Hands the engine's advice to the debug callback.
+    #[inline]
+    #[track_caller]
+    pub(crate) fn deliver(&mut self, name: &'static str) {
+        if self.engine.has_notes() {
+            for note in self.engine.take_notes() {
+                self.advise(name, &note);
+            }
+        }
+    }
+
     /// The value of a command, after its error has been noted.
     #[inline]
     #[track_caller]

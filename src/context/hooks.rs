@@ -37,10 +37,6 @@ pub(crate) trait Questions {
     fn inside_begin_end(&mut self) -> bool {
         false
     }
-    /// What `ListBase` has set.
-    fn current_list_base(&mut self) -> u32 {
-        0
-    }
     /// Bytes that a query of the imaging subset writes; 0 if it is an error.
     fn imaging_bytes(&mut self, _target: GLenum, _format: GLenum, _type: GLenum) -> usize {
         0
@@ -108,14 +104,6 @@ pub(crate) trait Questions {
     /// `MapBuffer`.
     fn map_buffer(&mut self, _target: GLenum, _access: GLenum) -> Outcome<&mut [u8]> {
         Err(missing("map_buffer"))
-    }
-    /// Whether there is advice to fetch.
-    fn has_notes(&mut self) -> bool {
-        false
-    }
-    /// Advice about what did not draw and why (incomplete textures); fetching clears it.
-    fn take_notes(&mut self) -> Vec<String> {
-        Vec::new()
     }
 }
 

@@ -2,7 +2,6 @@
 //! positions takes the place of the machine's stack, so that 64 levels are 64 small frames, and a list that calls itself
 //! ends there as the specification says.
 
-use super::hooks::Questions as _;
 use super::recorder::{Command, List, OpenList};
 use super::{Context, counts};
 use crate::enums::*;

@@ -35,6 +35,7 @@ fn outside<T: Default>(cx: &mut Context, name: &'static str, f: impl FnOnce(&mut
         return cx.refuse_inside(name);
     }
     let result = f(cx);
+    cx.deliver(name);
     cx.settle(name, result)
 }
 
@@ -69,6 +70,7 @@ pub(crate) fn call_list(cx: &mut Context, name: &'static str, list: u32) {
         return;
     }
     without_recording(cx, |cx| cx.run_lists(name, Box::new([list])));
+    cx.deliver(name);
 }
 
 #[track_caller]
@@ -83,6 +85,7 @@ pub(crate) fn call_lists(cx: &mut Context, name: &'static str, n: i32, type_: GL
     let base = cx.engine.current_list_base();
     let names = offsets.iter().map(|o| base.wrapping_add(*o)).collect();
     without_recording(cx, |cx| cx.run_lists(name, names));
+    cx.deliver(name);
 }
 
 /// What a called list does is not recorded again by the list that is open.

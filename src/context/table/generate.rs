@@ -68,7 +68,10 @@ macro_rules! ops {
                         return cx.refuse_inside(name);
                     }
                     let result = cx.engine.$snake($($a),*);
-                    cx.settle(name, result)
+                    cx.settle(name, result);
+                    if const { $crate::context::errors::tells(!$crate::context::table::generate::allowed_inside!($class), stringify!($snake)) } {
+                        cx.deliver(name);
+                    }
                 }
             )*
         }
@@ -217,6 +220,7 @@ macro_rules! chapter {
                     }
                     $( let $na = $crate::context::table::kinds::checked!($nk, cx, name, $na); )*
                     let result = cx.engine.$n_snake($($na),*);
+                    cx.deliver(name);
                     cx.settle(name, result)
                 }
             )*

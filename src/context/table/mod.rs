@@ -63,6 +63,8 @@ pub(crate) mod lighting;
 pub(crate) mod lists;
 pub(crate) mod pixels;
 pub(crate) mod raster;
+#[cfg(test)]
+mod tests;
 pub(crate) mod texture;
 pub(crate) mod transform;
 pub(crate) mod vertex;
