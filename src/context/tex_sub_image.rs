@@ -272,8 +272,9 @@ impl Engine {
     ) -> Outcome {
         let place = place(target, 2)?;
         let format = InternalFormat::of_compressed_tex_image(internal_format)?;
-        if border != 0 {
-            return Err(invalid_value(format!("a border of {border}; compressed images have none")));
+        // EXT_texture_compression_s3tc; any other border is no border at all and is refused with the rest of the request.
+        if border == 1 {
+            return Err(invalid_operation("a border of 1; S3TC images have none"));
         }
         if image_size < 0 {
             return Err(invalid_value(format!("an image size of {image_size}; it must not be negative")));

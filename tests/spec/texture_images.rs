@@ -289,6 +289,10 @@ fn compressed_images_come_back_as_they_were_given() {
     gl.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGB, 4, 4, 0, GL_RGB, GL_UNSIGNED_BYTE, &noise(48)[..]);
     gl.get_compressed_tex_image(GL_TEXTURE_2D, 0, &mut out[..]);
     assert_eq!(gl.get_error(), GL_INVALID_OPERATION);
+    for (border, code) in [(1, GL_INVALID_OPERATION), (2, GL_INVALID_VALUE), (-1, GL_INVALID_VALUE)] {
+        gl.compressed_tex_image_2d(GL_TEXTURE_2D, 0, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, 4, 4, border, 8, &block[..]);
+        assert_eq!(gl.get_error(), code, "border {border}");
+    }
     gl.compressed_tex_image_3d(GL_TEXTURE_3D, 0, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, 4, 4, 1, 0, 8, &block[..]);
     assert_eq!(gl.get_error(), GL_INVALID_ENUM);
 }
