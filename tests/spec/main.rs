@@ -6,3 +6,5 @@ mod glu;
 mod oracle;
 mod pixels;
 mod texture_images;
+mod vertex_arrays;
+mod vertices;
