@@ -50,6 +50,30 @@ impl std::fmt::Display for GlError {
 
 impl std::error::Error for GlError {}
 
+/// A file that cannot be read, written or understood.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FileError {
+    /// The file.
+    pub path: std::path::PathBuf,
+    /// What is wrong with it, to be read after its name.
+    pub message: String,
+}
+
+impl FileError {
+    /// An error with a file.
+    pub fn new(path: impl Into<std::path::PathBuf>, message: impl Into<String>) -> Self {
+        Self { path: path.into(), message: message.into() }
+    }
+}
+
+impl std::fmt::Display for FileError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.path.display(), self.message)
+    }
+}
+
+impl std::error::Error for FileError {}
+
 /// The name of an error code as the specification writes it.
 #[must_use]
 pub fn code_name(code: GLenum) -> &'static str {

@@ -10,6 +10,8 @@ pub mod error;
 pub mod fragment;
 pub mod framebuffer;
 pub mod glu;
+#[cfg(feature = "image")]
+pub mod image_io;
 pub mod limits;
 pub mod num;
 pub mod pixels;
