@@ -109,7 +109,7 @@ stage! {
                     continue;
                 }
                 for i in 0..LANES {
-                    sum[i] = if tap <= w.lane_taps[i] { sum[i] + color[i] } else { sum[i] };
+                    sum[i] += if tap <= w.lane_taps[i] { color[i] } else { 0.0 };
                 }
             }
         }
