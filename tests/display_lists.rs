@@ -4,8 +4,11 @@
 use fixedgl::Context;
 use fixedgl::enums::*;
 
+/// A program and what it is about.
+type Script = (&'static str, fn(&mut Context));
+
 /// Programs that change state; each is carried out directly, compiled and called, and compiled while it is carried out.
-const SCRIPTS: &[(&str, fn(&mut Context))] = &[
+const SCRIPTS: &[Script] = &[
     ("matrices", |cx| {
         cx.matrix_mode(GL_PROJECTION);
         cx.frustum(-1.0, 1.0, -0.5, 0.5, 1.0, 10.0);

@@ -33,6 +33,7 @@ macro_rules! functions {
         $(
             #[doc = concat!("See [`Context::", stringify!($snake), "`](crate::Context::", stringify!($snake), ").")]
             #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
+            #[allow(clippy::extra_unused_lifetimes, reason = "only memory arguments have the lifetime")]
             #[track_caller]
             pub fn $name<'a>(
                 $($a: door_ty!($k),)*

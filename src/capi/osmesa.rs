@@ -63,7 +63,7 @@ pub(super) struct Layout {
 }
 
 /// The program's memory.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Target {
     pub(super) address: *mut u8,
     pub(super) type_: GLenum,
@@ -262,7 +262,9 @@ pub unsafe extern "C" fn OSMesaMakeCurrent(
     let target = Target { address: buffer.cast(), type_, width: w, height: h, in_place: false };
     let bound = current::without(|| {
         os.context.engine.flush_scene();
-        os.bind(target)
+        // The same memory again: nothing changes, depths stay.
+        let same = os.target.is_some_and(|t| Target { in_place: false, ..t } == target);
+        if same { Some(()) } else { os.bind(target) }
     });
     if bound.is_none() {
         return GL_FALSE;

@@ -15,11 +15,6 @@ pub(crate) fn size(n: impl TryInto<usize>) -> usize {
     n.try_into().unwrap_or(0)
 }
 
-/// Any number of values: the count comes with the memory.
-pub(crate) fn all(n: usize) -> usize {
-    n
-}
-
 /// `Light`.
 pub(crate) fn light(pname: GLenum) -> usize {
     match pname {

@@ -129,7 +129,8 @@ static void textures(const GLubyte *picture) {
 }
 
 static void arrays(const GLubyte *picture) {
-    static const GLfloat vertices[] = {-1, -1, 0, 1, 1, 0, 0, 3, -1, 0, 0, 1, 1, 0, 0, -1, 3, 0, 0, 1, 1, 0, 0, 0};
+    /* x, y, unused, red, green, blue, alpha, unused */
+    static const GLfloat vertices[] = {-1, -1, 9, 0, 1, 1, 0, 9, 3, -1, 9, 0, 1, 1, 0, 9, -1, 3, 9, 0, 1, 1, 0, 9};
     static const GLushort indices[] = {0, 1, 2};
     GLuint buffers[2];
     GLubyte pixel[4];
@@ -158,7 +159,7 @@ static void arrays(const GLubyte *picture) {
         CHECK(memcmp(picture + 4 * (3 * W + 3), pixel, 4) == 0);
         if (use_buffers) {
             GLfloat *mapped = glMapBuffer(GL_ARRAY_BUFFER, GL_READ_WRITE);
-            CHECK(mapped && mapped[3] == 1);
+            CHECK(mapped && mapped[4] == 1 && mapped[8] == 3);
             CHECK(glUnmapBuffer(GL_ARRAY_BUFFER));
             glDeleteBuffers(2, buffers);
         }
@@ -224,7 +225,7 @@ int main(void) {
     CHECK(!OSMesaMakeCurrent(cx, picture, GL_UNSIGNED_BYTE, 0, H) && !OSMesaMakeCurrent(cx, picture, GL_INT, W, H));
     CHECK(OSMesaGetProcAddress("glActiveTextureARB") == (OSMESAproc)glActiveTextureARB);
     CHECK(OSMesaGetProcAddress("glNoSuchThing") == NULL);
-    CHECK(OSMesaGetProcAddress("OSMesaMakeCurrent") == (OSMESAproc)OSMesaMakeCurrent);
+    CHECK(OSMesaGetProcAddress("OSMesaMakeCurrent") == (OSMESAproc)(void *)OSMesaMakeCurrent);
     state();
     errors();
     lists();

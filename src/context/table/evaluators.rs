@@ -5,9 +5,9 @@ use crate::context::convert::doubles;
 
 macro_rules! evaluators_table { ($generate:ident) => { $generate! {
     canonical {
-        list Map1 map1(target: enum, u1: f64, u2: f64, stride: i32, order: i32, points: (slice f64: all(points)));
+        list Map1 map1(target: enum, u1: f64, u2: f64, stride: i32, order: i32, points: (slice f64:));
         list Map2 map2(target: enum, u1: f64, u2: f64, ustride: i32, uorder: i32, v1: f64, v2: f64, vstride: i32,
-            vorder: i32, points: (slice f64: all(points)));
+            vorder: i32, points: (slice f64:));
         list MapGrid1 map_grid1(un: i32, u1: f64, u2: f64);
         list MapGrid2 map_grid2(un: i32, u1: f64, u2: f64, vn: i32, v1: f64, v2: f64);
         begin EvalCoord1 eval_coord1(u: f64);

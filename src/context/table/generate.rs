@@ -28,6 +28,7 @@ macro_rules! ops {
     ($( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) ; )*) => {
         /// The commands of this chapter that a display list can hold.
         #[expect(non_camel_case_types, reason = "an op carries the name of the command in C")]
+        #[allow(clippy::enum_variant_names, reason = "an op carries the name of the command in C")]
         #[derive(Clone, Debug)]
         pub(crate) enum Op {
             $( $name { $($a: $crate::context::table::kinds::owned_ty!($k)),* }, )*
@@ -49,6 +50,7 @@ macro_rules! ops {
             }
         }
 
+        #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
         impl $crate::context::table::Run {
             $(
                 #[inline]
@@ -81,6 +83,7 @@ macro_rules! ops {
 /// The answer of an engine that has no method of a name. An inherent method of `Engine` takes its place.
 macro_rules! fallbacks {
     ($( $snake:ident ( $($a:ident : $k:tt),* ) $(-> $r:ty)? ; )*) => {
+        #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
         #[allow(dead_code, reason = "a fallback is dead as soon as the engine has the method")]
         pub(crate) trait Fallback {
             $(
@@ -168,6 +171,7 @@ macro_rules! chapter {
         ];
 
         #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
+        #[allow(clippy::extra_unused_lifetimes, reason = "only memory arguments have the lifetime")]
         impl $crate::context::Context {
             $(
                 $(#[$doc])*

@@ -8,7 +8,7 @@ use crate::enums::{GL_BITMAP, GL_COLOR_INDEX};
 macro_rules! pixels_table { ($generate:ident) => { $generate! {
     canonical {
         list PixelTransfer pixel_transfer(pname: enum, params: params);
-        list PixelMap pixel_map(map: enum, values: (slice f32: all(values)));
+        list PixelMap pixel_map(map: enum, values: (slice f32:));
     }
     commands {
         /// Draws a rectangle of pixels at the raster position (section 3.6.4).
