@@ -68,6 +68,8 @@ pub struct FragmentBatch {
     pub segments: [Segment; LANES],
     /// How many segments are in use.
     pub segment_count: usize,
+    /// Whether no segment is a row; programs find out themselves.
+    pub dense: bool,
     /// Whether a fragment is still alive after the last test.
     pub alive: bool,
 }
@@ -94,6 +96,7 @@ impl FragmentBatch {
             packed_dst: [0; LANES],
             packed: [0; LANES],
             coverage: Z,
+            dense: false,
             alive: false,
             tex: TexBatch::new(),
         }

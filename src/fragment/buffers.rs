@@ -2,14 +2,39 @@
 //! Nothing is read or written outside the band, whatever the segments say.
 
 use super::batch::{FragmentBatch, Segment};
-use super::segments::{CHUNK, Lane, Piece, before_lane, from_lane, ones, pieces, put};
+use super::segments::{CHUNK, Lane, Piece, before_lane, from_lane, ones, pieces, put, sanitise};
 use crate::batch::LANES;
+
+/// Where the lanes of a batch are.
+#[derive(Clone, Copy)]
+pub(super) struct Places<'a> {
+    pub segments: &'a [Segment],
+    pub offset: &'a [u32; LANES],
+    /// No segment is a row: lanes `0..n` are where `offset` says.
+    pub dense: bool,
+    pub n: usize,
+}
+
+/// The places of a batch's lanes, leaving the other fields of the batch free to be borrowed.
+macro_rules! places {
+    ($b:expr) => {
+        $crate::fragment::buffers::Places {
+            segments: $b.segments.get(..$b.segment_count).unwrap_or(&[]),
+            offset: &$b.offset,
+            dense: $b.dense,
+            n: $b.tex.n,
+        }
+    };
+}
+pub(super) use places;
 
 /// Whether the batch is one row segment of all lanes.
 #[inline(always)]
-fn full_row(segments: &[Segment; LANES], count: usize) -> bool {
-    let s = &segments[0];
-    count == 1 && s.row && s.start == 0 && s.len as usize == LANES
+fn full_row(segments: &[Segment]) -> Option<usize> {
+    match segments {
+        [s] if s.row && s.start == 0 && s.len as usize == LANES => Some(s.offset as usize),
+        _ => None,
+    }
 }
 
 /// Where the chunk of a piece of a row segment begins in the buffer, if all of the chunk lies inside.
@@ -20,29 +45,33 @@ fn run_start(segment: &Segment, piece: Piece) -> Option<usize> {
 
 /// Reads the lanes' pixels; pixels outside the band read as the default.
 #[inline(always)]
-pub(super) fn load<T: Lane>(
-    segments: &[Segment; LANES],
-    count: usize,
-    offset: &[u32; LANES],
-    from: &[T],
-    to: &mut [T; LANES],
-) {
-    if full_row(segments, count) {
-        if let Some(run) = from.get(segments[0].offset as usize..).and_then(|r| r.first_chunk()) {
-            *to = *run;
-            return;
-        }
+pub(super) fn load<T: Lane>(places: Places<'_>, from: &[T], to: &mut [T; LANES]) {
+    if let Some(run) = full_row(places.segments).and_then(|at| from.get(at..)).and_then(|r| r.first_chunk()) {
+        *to = *run;
+        return;
     }
-    for segment in &segments[..count.min(LANES)] {
+    if places.dense {
+        for (to, at) in to.iter_mut().zip(places.offset).take(places.n) {
+            *to = match from.get(*at as usize) {
+                Some(v) => *v,
+                None => T::default(),
+            };
+        }
+        return;
+    }
+    for segment in places.segments {
         for piece in pieces(segment) {
             let run = run_start(segment, piece).and_then(|at| from.get(at..)).and_then(|r| r.first_chunk());
             match run {
                 Some(run) if segment.row => put(to, piece, run),
                 _ => {
-                    for i in piece.skip..piece.skip + piece.len {
-                        let at = at(segment, offset, piece.base + i);
-                        if let Some(lane) = to.get_mut(piece.base + i) {
-                            *lane = from.get(at).copied().unwrap_or_default();
+                    for lane in piece.base + piece.skip..piece.base + piece.skip + piece.len {
+                        let at = at(segment, places.offset, lane);
+                        if let Some(lane) = to.get_mut(lane) {
+                            *lane = match from.get(at) {
+                                Some(v) => *v,
+                                None => T::default(),
+                            };
                         }
                     }
                 }
@@ -63,23 +92,25 @@ fn at(segment: &Segment, offset: &[u32; LANES], lane: usize) -> usize {
 
 /// Writes the lanes whose mask is not 0.
 #[inline(always)]
-pub(super) fn store<T: Lane>(
-    segments: &[Segment; LANES],
-    count: usize,
-    offset: &[u32; LANES],
-    mask: &[u32; LANES],
-    from: &[T; LANES],
-    to: &mut [T],
-) {
-    if full_row(segments, count) {
-        if let Some(run) = to.get_mut(segments[0].offset as usize..).and_then(|r| r.first_chunk_mut::<LANES>()) {
-            for i in 0..LANES {
-                run[i] = T::select(mask[i], from[i], run[i]);
-            }
-            return;
+pub(super) fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T; LANES], to: &mut [T]) {
+    if let Some(run) = full_row(places.segments).and_then(|at| to.get_mut(at..)).and_then(|r| r.first_chunk_mut()) {
+        let run: &mut [T; LANES] = run;
+        for i in 0..LANES {
+            run[i] = T::select(mask[i], from[i], run[i]);
         }
+        return;
     }
-    for segment in &segments[..count.min(LANES)] {
+    if places.dense {
+        for ((from, at), mask) in from.iter().zip(places.offset).zip(mask).take(places.n) {
+            if *mask != 0
+                && let Some(pixel) = to.get_mut(*at as usize)
+            {
+                *pixel = *from;
+            }
+        }
+        return;
+    }
+    for segment in places.segments {
         for piece in pieces(segment) {
             let lanes = (
                 from.get(piece.base..).and_then(|r| r.first_chunk::<CHUNK>()),
@@ -97,7 +128,7 @@ pub(super) fn store<T: Lane>(
                     for lane in piece.base + piece.skip..piece.base + piece.skip + piece.len {
                         if mask.get(lane).is_some_and(|m| *m != 0)
                             && let Some(value) = from.get(lane)
-                            && let Some(pixel) = to.get_mut(at(segment, offset, lane))
+                            && let Some(pixel) = to.get_mut(at(segment, places.offset, lane))
                         {
                             *pixel = *value;
                         }
@@ -108,24 +139,11 @@ pub(super) fn store<T: Lane>(
     }
 }
 
-/// [`load`] with the segments of a batch, which is borrowed apart from the lanes that are read into.
-macro_rules! load_lanes {
-    ($b:expr, $from:expr, $to:ident) => {
-        $crate::fragment::buffers::load(&$b.segments, $b.segment_count, &$b.offset, $from, &mut $b.$to)
-    };
-}
-
-/// [`store`] of lanes of a batch.
-macro_rules! store_lanes {
-    ($b:expr, $mask:expr, $from:ident, $to:expr) => {
-        $crate::fragment::buffers::store(&$b.segments, $b.segment_count, &$b.offset, $mask, &$b.$from, $to)
-    };
-}
-pub(super) use {load_lanes, store_lanes};
-
 /// The mask of the lanes in use: what a batch starts with.
 #[inline(always)]
 pub(super) fn fresh_mask(b: &mut FragmentBatch) {
+    sanitise(b);
+    b.tex.n = if b.tex.n > LANES { LANES } else { b.tex.n };
     let n = b.tex.n.min(LANES) as i32;
     for i in 0..LANES {
         b.tex.mask[i] = ones((i as i32) < n);

@@ -3,7 +3,7 @@
 //! with other state gets the same integers, which EQUAL relies on.
 
 use super::batch::FragmentBatch;
-use super::buffers::{fresh_mask, load_lanes, store_lanes};
+use super::buffers::{fresh_mask, load, places, store};
 use super::compare::{Func, any, compare};
 use super::planes::Linear;
 use super::segments::{CHUNK, linear64, pieces, positions, put, row_origin, single_row};
@@ -69,11 +69,11 @@ stage! {
 
     /// The depth test, and with [`WRITE`] the new depths of the fragments that pass.
     pub(super) fn DEPTH_TEST: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        load_lanes!(b, w.band.depth, depth);
+        load(places!(b), w.band.depth, &mut b.depth);
         compare(Func::from_arg(arg >> 1), &b.z, &b.depth, &mut b.tex.mask);
         b.alive = any(&b.tex.mask);
         if arg & WRITE != 0 && b.alive {
-            store_lanes!(b, &b.tex.mask, z, w.band.depth);
+            store(places!(b), &b.tex.mask, &b.z, w.band.depth);
         }
     }
 
@@ -88,6 +88,6 @@ stage! {
 
     /// The new depths of the fragments that have passed all tests.
     pub(super) fn DEPTH_WRITE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
-        store_lanes!(b, &b.tex.mask, z, w.band.depth);
+        store(places!(b), &b.tex.mask, &b.z, w.band.depth);
     }
 }

@@ -2,7 +2,7 @@
 //! blending makes of it is not, since there is no fixed-point number that it must fit.
 
 use super::batch::FragmentBatch;
-use super::buffers::{load, store};
+use super::buffers::{load, places, store};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::num::clamp01;
@@ -11,7 +11,7 @@ stage! {
     /// Reads the pixels.
     pub(super) fn LOAD_FLOAT: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let mut pixels = [[0.0; 4]; LANES];
-        load(&b.segments, b.segment_count, &b.offset, w.band.float, &mut pixels);
+        load(places!(b), w.band.float, &mut pixels);
         for c in 0..4 {
             for i in 0..LANES {
                 b.dst[c][i] = pixels[i][c];
@@ -33,7 +33,7 @@ stage! {
         let mut pixels = [[0.0; 4]; LANES];
         let mask = u.color_mask.to_le_bytes();
         if u.color_mask != u32::MAX {
-            load(&b.segments, b.segment_count, &b.offset, w.band.float, &mut pixels);
+            load(places!(b), w.band.float, &mut pixels);
         }
         for c in 0..4 {
             if mask[c] != 0 {
@@ -43,6 +43,6 @@ stage! {
                 }
             }
         }
-        store(&b.segments, b.segment_count, &b.offset, &b.tex.mask, &pixels, w.band.float);
+        store(places!(b), &b.tex.mask, &pixels, w.band.float);
     }
 }

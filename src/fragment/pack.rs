@@ -4,7 +4,7 @@
 //! is rounded once for a whole segment, others are rounded in registers.
 
 use super::batch::FragmentBatch;
-use super::buffers::{load_lanes, store_lanes};
+use super::buffers::{load, places, store};
 use super::interpolate::{FIRST, primitive, reciprocals, value};
 use super::planes::{Plane, Planes};
 use super::segments::{CHUNK, pieces, positions, put, row_origin, single_row};
@@ -27,8 +27,9 @@ pub(super) fn pixel(r: u32, g: u32, b: u32, a: u32) -> u32 {
 /// The packed colour of a primitive whose four colour planes are constant.
 #[inline(always)]
 fn constant(pool: &[Plane; 4]) -> Option<u32> {
-    let flat = pool.iter().all(|p| p.min == p.max);
-    flat.then(|| pixel(byte(pool[0].max), byte(pool[1].max), byte(pool[2].max), byte(pool[3].max)))
+    let [r, g, b, a] = pool;
+    let flat = r.min == r.max && g.min == g.max && b.min == b.max && a.min == a.max;
+    if flat { Some(pixel(byte(r.max), byte(g.max), byte(b.max), byte(a.max))) } else { None }
 }
 
 /// A row of one primitive that fills the batch.
@@ -36,11 +37,12 @@ fn constant(pool: &[Plane; 4]) -> Option<u32> {
 fn row(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; 4], or: u32) {
     let (x0, y) = row_origin(&b.segments[0], planes);
     let y = y as f32;
-    let at: [f32; 4] = std::array::from_fn(|k| pool[k].n0 as f32 + pool[k].ny as f32 * y);
-    let x: [f32; 4] = std::array::from_fn(|k| pool[k].nx as f32);
-    let c: [f32; 4] = std::array::from_fn(|k| pool[k].c);
-    let min: [f32; 4] = std::array::from_fn(|k| pool[k].min);
-    let max: [f32; 4] = std::array::from_fn(|k| pool[k].max);
+    let (mut at, mut x, mut c, mut min, mut max) = ([0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4]);
+    for k in 0..4 {
+        let p = &pool[k];
+        (at[k], x[k]) = (p.n0 as f32 + p.ny as f32 * y, p.nx as f32);
+        (c[k], min[k], max[k]) = (p.c, p.min, p.max);
+    }
     if planes.affine {
         for i in 0..LANES {
             let dx = x0.wrapping_add(i as i32) as f32;
@@ -84,7 +86,12 @@ stage! {
                     let (dx, dy) = positions(b, &segment, planes, piece);
                     let rw = reciprocals(b, planes, arg & FIRST != 0, piece, &dx, &dy);
                     let wide = planes.wide & Planes::WIDE_W != 0;
-                    let v: [_; 4] = std::array::from_fn(|k| value(&pool[k], wide, &dx, &dy, &rw));
+                    let v = [
+                        value(&pool[0], wide, &dx, &dy, &rw),
+                        value(&pool[1], wide, &dx, &dy, &rw),
+                        value(&pool[2], wide, &dx, &dy, &rw),
+                        value(&pool[3], wide, &dx, &dy, &rw),
+                    ];
                     for i in 0..CHUNK {
                         out[i] = pixel(byte(v[0][i]), byte(v[1][i]), byte(v[2][i]), byte(v[3][i])) | u.packed_or;
                     }
@@ -124,7 +131,7 @@ stage! {
 
     /// Reads the pixels.
     pub(super) fn LOAD: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
-        load_lanes!(b, w.band.rgba8, packed_dst);
+        load(places!(b), w.band.rgba8, &mut b.packed_dst);
     }
 
     /// Bytes that the colour mask protects stay as they are.
@@ -136,6 +143,6 @@ stage! {
 
     /// Writes the pixels of the fragments that are alive.
     pub(super) fn STORE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
-        store_lanes!(b, &b.tex.mask, packed, w.band.rgba8);
+        store(places!(b), &b.tex.mask, &b.packed, w.band.rgba8);
     }
 }

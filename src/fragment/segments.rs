@@ -1,4 +1,4 @@
-//! Walking the segments of a batch in chunks of 16 lanes. Large primitives fill whole batches with one row segment, small
+//! Walking the segments of a batch in chunks of 8 lanes. Large primitives fill whole batches with one row segment, small
 //! ones leave many segments of a few lanes; a chunk is computed whole in either case, so that it stays SIMD code, and
 //! what a chunk computes beyond its segment is overwritten by the next segment or belongs to no fragment.
 
@@ -7,7 +7,7 @@ use super::planes::{Linear, Planes};
 use crate::batch::LANES;
 
 /// Lanes of a chunk.
-pub(super) const CHUNK: usize = 16;
+pub(super) const CHUNK: usize = 8;
 
 /// Floats of a chunk.
 pub(super) type Chunk = [f32; CHUNK];
@@ -43,7 +43,7 @@ impl Lane for f32 {
 impl Lane for [f32; 4] {
     #[inline(always)]
     fn select(mask: u32, a: Self, b: Self) -> Self {
-        std::array::from_fn(|k| f32::select(mask, a[k], b[k]))
+        if mask != 0 { a } else { b }
     }
 }
 
@@ -73,13 +73,13 @@ static EDGE: [u32; 3 * CHUNK] = {
     edge
 };
 
-/// All ones from lane `i` (at most 16) on.
+/// All ones from lane `i` (at most 8) on.
 #[inline(always)]
 pub(super) fn from_lane(i: usize) -> &'static [u32; CHUNK] {
     EDGE.get((2 * CHUNK).wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
 }
 
-/// All ones before lane `i` (at most 16).
+/// All ones before lane `i` (at most 8).
 #[inline(always)]
 pub(super) fn before_lane(i: usize) -> &'static [u32; CHUNK] {
     EDGE.get(CHUNK.wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
@@ -98,14 +98,49 @@ pub(super) static IOTA: [f32; LANES] = {
 
 /// The pieces of a segment.
 #[inline(always)]
-pub(super) fn pieces(segment: &Segment) -> impl Iterator<Item = Piece> + use<> {
-    let start = (segment.start as usize).min(LANES);
-    let end = (start + (segment.len as usize).min(LANES)).min(LANES);
-    (start..end).step_by(CHUNK).map(move |first| {
+pub(super) fn pieces(segment: &Segment) -> Pieces {
+    // `sanitise` has seen to it that the segment ends within the batch.
+    Pieces { first: segment.start as usize, end: segment.start as usize + segment.len as usize }
+}
+
+/// Goes over the pieces of a segment.
+pub(super) struct Pieces {
+    first: usize,
+    end: usize,
+}
+
+impl Iterator for Pieces {
+    type Item = Piece;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Piece> {
+        if self.first >= self.end {
+            return None;
+        }
         // The last lanes of a batch are reached by a chunk that begins earlier.
-        let base = first.min(LANES - CHUNK);
-        Piece { base, skip: first - base, len: (end - first).min(CHUNK) }
-    })
+        let base = if self.first > LANES - CHUNK { LANES - CHUNK } else { self.first };
+        let left = self.end - self.first;
+        let piece = Piece { base, skip: self.first - base, len: if left > CHUNK { CHUNK } else { left } };
+        self.first += CHUNK;
+        Some(piece)
+    }
+}
+
+/// Cuts segments that reach beyond the batch, and notes whether there are only dense lanes. What a careful rasteriser
+/// hands over stays as it is; the stages that follow rely on it.
+#[inline(always)]
+pub(super) fn sanitise(b: &mut FragmentBatch) {
+    let count = if b.segment_count > LANES { LANES } else { b.segment_count };
+    b.segment_count = count;
+    let mut dense = true;
+    for segment in &mut b.segments[..count] {
+        let start = if segment.start as usize > LANES { LANES as u32 } else { segment.start };
+        let room = LANES as u32 - start;
+        segment.start = start;
+        segment.len = if segment.len > room { room } else { segment.len };
+        dense &= !segment.row;
+    }
+    b.dense = dense;
 }
 
 /// Whether one row segment fills the batch from lane 0, so that stages may compute all lanes as one row.

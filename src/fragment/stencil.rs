@@ -3,7 +3,7 @@
 //! cases (stencil failed, depth failed, both passed) and writes the bits that the mask lets through.
 
 use super::batch::FragmentBatch;
-use super::buffers::{load, store};
+use super::buffers::{load, places, store};
 use super::compare::{Func, any, compare};
 use super::segments::{Lane, ones};
 use super::uniforms::{FragFn, FragUniforms, Work};
@@ -74,7 +74,7 @@ stage! {
     /// Reads the stencil buffer and kills the fragments that fail.
     pub(super) fn STENCIL_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let mut bytes = [0; LANES];
-        load(&b.segments, b.segment_count, &b.offset, w.band.stencil, &mut bytes);
+        load(places!(b), w.band.stencil, &mut bytes);
         let mut masked = [0; LANES];
         for i in 0..LANES {
             b.stencil[i] = u32::from(bytes[i]);
@@ -103,6 +103,6 @@ stage! {
             bytes[i] = ((new[i] & s.write_mask) | (b.stencil[i] & !s.write_mask)) as u8;
         }
         let from = &bytes;
-        store(&b.segments, b.segment_count, &b.offset, &b.before[0], from, w.band.stencil);
+        store(places!(b), &b.before[0], from, w.band.stencil);
     }
 }
