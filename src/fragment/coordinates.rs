@@ -112,6 +112,61 @@ fn row<const K: usize>(b: &mut FragmentBatch, unit: &Unit<'_, K>, first: bool, d
     }
 }
 
+/// A row of one primitive that fills the batch, in `f64`: [`wide`] for all lanes at once.
+#[inline(always)]
+fn wide_row<const K: usize>(
+    b: &mut FragmentBatch,
+    unit: &Unit<'_, K>,
+    slots: &UnitSlots,
+    first: bool,
+    derivatives: bool,
+) {
+    let (x0, y) = row_origin(&b.segments[0], unit.planes);
+    // As in the pieces of a segment, positions are whole numbers that went through `f32`.
+    let (x0, y) = (x0 as f32, f64::from(y as f32));
+    let d = &unit.divisor;
+    let d_at = d.at + d.y * y;
+    let mut rq = [0.0; LANES];
+    for i in 0..LANES {
+        rq[i] = reciprocal64(d_at + d.x * f64::from(x0 + IOTA[i]));
+    }
+    if first && !unit.has_q {
+        // What colours are multiplied with is f64 only where the whole primitive is wide.
+        if unit.planes.wide & Planes::WIDE_W != 0 {
+            for i in 0..LANES {
+                b.rw[i] = rq[i] as f32;
+            }
+        } else {
+            let (d_at, d_x) = (d.at as f32 + d.y as f32 * y as f32, d.x as f32);
+            for i in 0..LANES {
+                b.rw[i] = 1.0 / (d_at + d_x * (x0 + IOTA[i]));
+            }
+        }
+    }
+    for k in 0..K {
+        let p = &unit.coords[k];
+        let at = p.n0 + p.ny * y;
+        let (c, min, max) = (f64::from(p.c), f64::from(p.min), f64::from(p.max));
+        let period = f64::from(slots.period[k]);
+        let inverse = if period > 0.0 { 1.0 / period } else { 0.0 };
+        let out = &mut b.tex.coord[k];
+        for i in 0..LANES {
+            let v = c + (at + p.nx * f64::from(x0 + IOTA[i])) * rq[i];
+            let v = if v > min { v } else { min };
+            let v = if v < max { v } else { max };
+            out[i] = finite(without_periods(v, period, inverse) as f32);
+        }
+        if derivatives {
+            let (ddx, ddy) = (&mut b.tex.ddx[k], &mut b.tex.ddy[k]);
+            for i in 0..LANES {
+                let t = (at + p.nx * f64::from(x0 + IOTA[i])) * rq[i];
+                ddx[i] = ((p.nx - t * d.x) * rq[i]) as f32;
+                ddy[i] = ((p.ny - t * d.y) * rq[i]) as f32;
+            }
+        }
+    }
+}
+
 /// A piece of a segment in `f32`.
 #[inline(always)]
 fn narrow<const K: usize>(
@@ -207,10 +262,12 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &
     let (index, first, derivatives) = (arg >> 2, arg & FIRST != 0, arg & DERIVATIVES != 0);
     if single_row(b)
         && let Some(unit) = unit::<K>(w, &b.segments[0], slots, index)
-        && !unit.wide
-        && unit.planes.wide & Planes::WIDE_W == 0
     {
-        row(b, &unit, first, derivatives);
+        if unit.wide {
+            wide_row(b, &unit, slots, first, derivatives);
+        } else {
+            row(b, &unit, first, derivatives);
+        }
         return;
     }
     for s in 0..b.segment_count.min(LANES) {

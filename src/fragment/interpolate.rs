@@ -4,7 +4,9 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::planes::{Plane, Planes};
-use super::segments::{CHUNK, Chunk, Piece, chunk, linear, linear64, pieces, positions, put, row_origin, single_row};
+use super::segments::{
+    CHUNK, Chunk, IOTA, Piece, chunk, linear, linear64, pieces, positions, put, row_origin, single_row,
+};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::num::clamp_f32;
@@ -85,14 +87,14 @@ pub(super) fn reciprocals(
 #[inline(always)]
 fn row<const K: usize>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; K], first: bool, out: &mut [Lanes; K]) {
     let (x0, y) = row_origin(&b.segments[0], planes);
-    let y = y as f32;
+    let (x0, y) = (x0 as f32, y as f32);
     if first {
         if planes.affine {
             b.rw = [1.0; LANES];
         } else {
             let (at, x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
             for i in 0..LANES {
-                b.rw[i] = 1.0 / (at + x * x0.wrapping_add(i as i32) as f32);
+                b.rw[i] = 1.0 / (at + x * (x0 + IOTA[i]));
             }
         }
     }
@@ -104,12 +106,12 @@ fn row<const K: usize>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; K]
             *out = [p.max; LANES];
         } else if planes.affine {
             for i in 0..LANES {
-                let n = at + x * x0.wrapping_add(i as i32) as f32;
+                let n = at + x * (x0 + IOTA[i]);
                 out[i] = clamp_f32(p.c + n, p.min, p.max);
             }
         } else {
             for i in 0..LANES {
-                let n = at + x * x0.wrapping_add(i as i32) as f32;
+                let n = at + x * (x0 + IOTA[i]);
                 out[i] = clamp_f32(p.c + n * b.rw[i], p.min, p.max);
             }
         }

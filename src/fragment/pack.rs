@@ -7,7 +7,7 @@ use super::batch::FragmentBatch;
 use super::buffers::{load, places, store};
 use super::interpolate::{FIRST, primitive, reciprocals, value};
 use super::planes::{Plane, Planes};
-use super::segments::{CHUNK, pieces, positions, put, row_origin, single_row};
+use super::segments::{CHUNK, IOTA, pieces, positions, put, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::num::{clamp_f32, clamp01, round_to_int};
@@ -15,7 +15,13 @@ use crate::num::{clamp_f32, clamp01, round_to_int};
 /// A channel in [0, 1] as a byte.
 #[inline(always)]
 pub(super) fn byte(v: f32) -> u32 {
-    round_to_int(clamp01(v) * 255.0).cast_unsigned()
+    whole(clamp01(v) * 255.0)
+}
+
+/// A value in 0..=255 as a byte.
+#[inline(always)]
+fn whole(v: f32) -> u32 {
+    round_to_int(v).cast_unsigned()
 }
 
 /// Four bytes as a pixel.
@@ -32,30 +38,55 @@ fn constant(pool: &[Plane; 4]) -> Option<u32> {
     if flat { Some(pixel(byte(r.max), byte(g.max), byte(b.max), byte(a.max))) } else { None }
 }
 
-/// A row of one primitive that fills the batch.
-#[inline(always)]
-fn row(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; 4], or: u32) {
-    let (x0, y) = row_origin(&b.segments[0], planes);
-    let y = y as f32;
-    let (mut at, mut x, mut c, mut min, mut max) = ([0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4]);
-    for k in 0..4 {
-        let p = &pool[k];
-        (at[k], x[k]) = (p.n0 as f32 + p.ny as f32 * y, p.nx as f32);
-        (c[k], min[k], max[k]) = (p.c, p.min, p.max);
+/// A colour plane along a row: at + x dx, plus c, between min and max.
+#[derive(Clone, Copy)]
+struct Run {
+    at: f32,
+    x: f32,
+    c: f32,
+    min: f32,
+    max: f32,
+}
+
+impl Run {
+    /// The plane in row y. Limits within [0, 1] save limiting the value once more.
+    #[inline(always)]
+    fn new(p: &Plane, y: f32) -> Self {
+        let at = p.n0 as f32 + p.ny as f32 * y;
+        Self { at, x: p.nx as f32, c: p.c, min: clamp01(p.min), max: clamp01(p.max) }
     }
+
+    /// The byte of a value of the numerator, already multiplied with 1 / D.
+    #[inline(always)]
+    fn byte(&self, n: f32) -> u32 {
+        whole(clamp_f32(self.c + n, self.min, self.max) * 255.0)
+    }
+}
+
+/// A row of one primitive that fills the batch. `OPAQUE`: its alpha is constant and stands in `or`.
+#[inline(always)]
+fn row<const OPAQUE: bool>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; 4], or: u32) {
+    let (x0, y) = row_origin(&b.segments[0], planes);
+    let (x0, y) = (x0 as f32, y as f32);
+    let red = Run::new(&pool[0], y);
+    let green = Run::new(&pool[1], y);
+    let blue = Run::new(&pool[2], y);
+    let alpha = Run::new(&pool[3], y);
     if planes.affine {
         for i in 0..LANES {
-            let dx = x0.wrapping_add(i as i32) as f32;
-            let v = |k: usize| byte(clamp_f32(c[k] + (at[k] + x[k] * dx), min[k], max[k]));
-            b.packed[i] = pixel(v(0), v(1), v(2), v(3)) | or;
+            let dx = x0 + IOTA[i];
+            let v = |run: &Run| run.byte(run.at + run.x * dx);
+            let a = if OPAQUE { 0 } else { v(&alpha) };
+            b.packed[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
         }
     } else {
         let (d_at, d_x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
         for i in 0..LANES {
-            let dx = x0.wrapping_add(i as i32) as f32;
+            let dx = x0 + IOTA[i];
             let rw = 1.0 / (d_at + d_x * dx);
-            let v = |k: usize| byte(clamp_f32(c[k] + (at[k] + x[k] * dx) * rw, min[k], max[k]));
-            b.packed[i] = pixel(v(0), v(1), v(2), v(3)) | or;
+            let v = |run: &Run| run.byte((run.at + run.x * dx) * rw);
+            let a = if OPAQUE { 0 } else { v(&alpha) };
+            b.packed[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
         }
     }
 }
@@ -70,7 +101,12 @@ stage! {
                 return;
             }
             if planes.wide & Planes::WIDE_W == 0 {
-                row(b, planes, pool, u.packed_or);
+                let alpha = &pool[3];
+                if alpha.min == alpha.max {
+                    row::<true>(b, planes, pool, u.packed_or | byte(alpha.max) << 24);
+                } else {
+                    row::<false>(b, planes, pool, u.packed_or);
+                }
                 return;
             }
         }
@@ -112,7 +148,6 @@ stage! {
     /// What blending gave, packed: it is in the store's unit and within its limits.
     pub(super) fn PACK_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         let [red, green, blue, alpha] = &b.dst;
-        let whole = |v: f32| round_to_int(v).cast_unsigned();
         for i in 0..LANES {
             b.packed[i] = pixel(whole(red[i]), whole(green[i]), whole(blue[i]), whole(alpha[i])) | u.packed_or;
         }
