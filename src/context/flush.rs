@@ -5,8 +5,8 @@
 use super::Values;
 use super::engine::Engine;
 use crate::enums::*;
-use crate::error::{Outcome, invalid_operation, invalid_value};
-use crate::framebuffer::{Clear, Rect};
+use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::framebuffer::{AccumOp, Clear, Rect};
 use crate::pixels::{ClientTarget, Kind, PixelFormat, Purpose};
 
 impl Engine {
@@ -38,6 +38,23 @@ impl Engine {
         };
         let scissor = self.scissor_rect();
         self.framebuffer.clear(&clear, scissor)
+    }
+
+    /// The accumulation buffer is as large as the framebuffer and is made when it is used first (section 4.2.4).
+    pub(crate) fn accum(&mut self, op: GLenum, value: f32) -> Outcome {
+        let op = match op {
+            GL_ACCUM => AccumOp::Accumulate,
+            GL_LOAD => AccumOp::Load,
+            GL_RETURN => AccumOp::Return,
+            GL_MULT => AccumOp::Multiply,
+            GL_ADD => AccumOp::Add,
+            _ => return Err(invalid_enum(format!("{} is not an accumulation operation", name(op)))),
+        };
+        self.flush_scene();
+        let rect = self.scissor_rect().unwrap_or_else(|| self.framebuffer.rect(0, 0, i32::MAX, i32::MAX));
+        let none = self.state.color_buffer.draw_buffer == GL_NONE;
+        let mask = if none { [false; 4] } else { self.state.color_buffer.color_mask };
+        self.framebuffer.accumulate(op, value, rect, mask)
     }
 
     /// The scissor box where the scissor test is on.
