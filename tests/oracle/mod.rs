@@ -8,6 +8,7 @@
 pub mod clip;
 pub mod env;
 pub mod fragment;
+pub mod light;
 pub mod lod;
 pub mod matrix;
 pub mod raster;

@@ -55,6 +55,11 @@ pub fn snap(v: f64) -> i64 {
 /// The pixels whose centres a triangle of snapped positions covers, row by row. No centre is covered by two triangles
 /// that share an edge, and none between them is left out.
 pub fn coverage(tri: [[i64; 2]; 3]) -> Vec<[i64; 2]> {
+    coverage_within(tri, [[i64::MIN, i64::MAX]; 2])
+}
+
+/// The same within a range of x and one of y (both ends included), so that what lies far out costs no time.
+pub fn coverage_within(tri: [[i64; 2]; 3], window: [[i64; 2]; 2]) -> Vec<[i64; 2]> {
     let cross = |a: [i64; 2], b: [i64; 2], p: [i64; 2]| {
         i128::from(b[0] - a[0]) * i128::from(p[1] - a[1]) - i128::from(b[1] - a[1]) * i128::from(p[0] - a[0])
     };
@@ -74,7 +79,8 @@ pub fn coverage(tri: [[i64; 2]; 3]) -> Vec<[i64; 2]> {
     };
     let range = |k: usize| {
         let (lo, hi) = (tri.iter().map(|v| v[k]).min(), tri.iter().map(|v| v[k]).max());
-        (lo.unwrap_or(0) - 128).div_euclid(256)..=(hi.unwrap_or(0) + 128).div_euclid(256)
+        let (lo, hi) = ((lo.unwrap_or(0) - 128).div_euclid(256), (hi.unwrap_or(0) + 128).div_euclid(256));
+        lo.max(window[k][0])..=hi.min(window[k][1])
     };
     let mut out = Vec::new();
     for y in range(1) {
@@ -153,11 +159,19 @@ impl Triangle {
         (0..3).map(|i| b[i] * self.0[i].z).sum()
     }
 
+    fn depth_slope(&self, k: usize) -> f64 {
+        let g = self.barycentric_gradient();
+        (0..3).map(|i| g[i][k] * self.0[i].z).sum()
+    }
+
     /// The polygon offset (3.5.5): m factor + r units, m the steepest slope of depth.
     pub fn offset(&self, factor: f64, units: f64, r: f64) -> f64 {
-        let g = self.barycentric_gradient();
-        let slope = |k: usize| (0..3).map(|i| g[i][k] * self.0[i].z).sum::<f64>();
-        (slope(0).powi(2) + slope(1).powi(2)).sqrt() * factor + r * units
+        (self.depth_slope(0).powi(2) + self.depth_slope(1).powi(2)).sqrt() * factor + r * units
+    }
+
+    /// The same with the other m that the specification allows: the greater of the two slopes.
+    pub fn offset_by_max(&self, factor: f64, units: f64) -> f64 {
+        self.depth_slope(0).abs().max(self.depth_slope(1).abs()) * factor + units / f64::from((1 << 24) - 1)
     }
 }
 

@@ -7,7 +7,7 @@
 use super::clip::clip_triangle;
 use super::env::{Env, Inputs};
 use super::fragment::{Blend, Fog, color_sum, passes, stored};
-use super::raster::{Triangle, Viewport, coverage};
+use super::raster::{Triangle, Viewport, coverage_within};
 use super::texel::{Sampled, Texture};
 use super::vertex::{Shaded, Vertex, VertexState};
 use super::{V2, V3, V4, clamp01};
@@ -201,7 +201,8 @@ impl Scene {
             }
         }
         let offset = self.offset.map_or(0.0, |(f, u)| triangle.offset(f, u, 1.0 / f64::from((1 << 24) - 1)));
-        for [x, y] in coverage(triangle.snapped()) {
+        let window = [[0, i64::from(self.width) - 1], [0, i64::from(self.height) - 1]];
+        for [x, y] in coverage_within(triangle.snapped(), window) {
             let (Ok(px), Ok(py)) = (u32::try_from(x), u32::try_from(y)) else { continue };
             let v = &self.viewport;
             let (fx, fy) = (x as f64, y as f64);

@@ -1,0 +1,59 @@
+//! Fog (OpenGL 1.5, section 3.10): the three modes with depth and with fog coordinates against the oracle, the initial
+//! state, the errors.
+
+use crate::oracle::fragment::Fog;
+use crate::support::compare::{EDGES, compare};
+use crate::support::scenes::heap;
+use crate::support::{get_f, get_i, raises};
+use fixedgl::Context;
+use fixedgl::enums::*;
+
+#[test]
+fn initial_state_and_errors() {
+    let mut cx = Context::new(4, 4);
+    assert_eq!(get_i(&mut cx, GL_FOG), 0);
+    assert_eq!(get_i(&mut cx, GL_FOG_MODE) as u32, GL_EXP);
+    assert_eq!(get_f::<1>(&mut cx, GL_FOG_DENSITY), [1.0]);
+    assert_eq!(get_f::<1>(&mut cx, GL_FOG_START), [0.0]);
+    assert_eq!(get_f::<1>(&mut cx, GL_FOG_END), [1.0]);
+    assert_eq!(get_f::<4>(&mut cx, GL_FOG_COLOR), [0.0; 4]);
+    assert_eq!(get_i(&mut cx, GL_FOG_COORDINATE_SOURCE) as u32, GL_FRAGMENT_DEPTH);
+    raises(&mut cx, GL_INVALID_VALUE, |cx| cx.fogf(GL_FOG_DENSITY, -1.0));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.fogi(GL_FOG_MODE, GL_NEAREST));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.fogf(GL_LIGHT0, 1.0));
+    assert_eq!(get_f::<1>(&mut cx, GL_FOG_DENSITY), [1.0]);
+}
+
+#[test]
+fn every_mode_and_source() {
+    for mode in [GL_LINEAR, GL_EXP, GL_EXP2] {
+        for from_coordinate in [false, true] {
+            let mut scene = heap(96, 96, 12, 1.0, 8);
+            scene.vertex.fog_from_coordinate = from_coordinate;
+            let color = [0.5, 0.75, 0.125, 1.0];
+            scene.fog = Some(Fog { mode, density: 0.1875, start: 2.0, end: 11.0, color });
+            let name = format!("fog {} from coordinate {from_coordinate}", fixedgl::enums::name(mode));
+            compare(&scene, EDGES).within_one_lsb(&name);
+        }
+    }
+}
+
+#[test]
+fn colour_sum_and_fog() {
+    let mut scene = heap(96, 96, 12, 1.0, 18);
+    scene.color_sum = true;
+    compare(&scene, EDGES).within_one_lsb("colour sum");
+    scene.fog = Some(Fog { density: 0.25, color: [1.0, 0.0, 0.0, 0.0], ..Fog::default() });
+    compare(&scene, EDGES).within_one_lsb("colour sum and fog");
+}
+
+#[test]
+fn degenerate_fog_is_finite() {
+    for (start, end, density) in [(1.0, 1.0, 0.0), (5.0, 2.0, 1e30), (f64::from(f32::MAX), 0.0, 0.0)] {
+        for mode in [GL_LINEAR, GL_EXP, GL_EXP2] {
+            let mut scene = heap(32, 32, 6, 1.0, 8);
+            scene.fog = Some(Fog { mode, density, start, end, color: [0.5; 4] });
+            assert_eq!(crate::support::bridge::draw(&scene).len(), 1024);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Lighting (OpenGL 1.5, section 2.14): random materials and lights on a ball against the oracle's equation, one and two
+//! sides, spots, attenuation, separate specular colour, colour material; initial state and errors.
+
+use crate::oracle::light::{Light, Lighting, Material};
+use crate::oracle::matrix::M4;
+use crate::oracle::scene::Scene;
+use crate::support::compare::{EDGES, Figures, compare};
+use crate::support::scenes::ball;
+use crate::support::{Random, get_f, get_i, no_error, raises};
+use fixedgl::Context;
+use fixedgl::enums::*;
+
+fn color(random: &mut Random, high: f64) -> [f64; 4] {
+    std::array::from_fn(|_| random.range(0.0, high))
+}
+
+fn material(random: &mut Random) -> Material {
+    Material {
+        ambient: color(random, 0.5),
+        diffuse: color(random, 1.0),
+        specular: color(random, 1.0),
+        emission: color(random, 0.2),
+        shininess: random.range(0.0, 60.0),
+    }
+}
+
+fn light(random: &mut Random, kind: u64) -> Light {
+    let mut at = |low, high| random.range(low, high);
+    let mut l = Light {
+        position: [at(-3.0, 3.0), at(-3.0, 3.0), at(-1.5, 1.0), 1.0],
+        attenuation: [at(0.2, 1.0), at(0.0, 0.3), at(0.0, 0.2)],
+        ..Light::default()
+    };
+    if kind == 0 {
+        l.position[3] = 0.0;
+        l.position[2] = 1.0;
+    }
+    if kind == 2 {
+        l.spot_direction = [-l.position[0], -l.position[1], -3.0 - l.position[2]];
+        l.spot_cutoff = at(20.0, 60.0);
+        l.spot_exponent = at(0.0, 20.0);
+    }
+    l.ambient = color(random, 0.2);
+    l.diffuse = color(random, 0.9);
+    l.specular = color(random, 0.9);
+    l
+}
+
+fn run(name: &str, rounds: u64, change: impl Fn(&mut Random, &mut Lighting, &mut Scene)) {
+    let mut all = Figures::default();
+    for seed in 1..=rounds {
+        let mut random = Random(seed * 1001);
+        let count = 1 + random.below(8);
+        let mut l = Lighting {
+            lights: (0..count)
+                .map(|_| {
+                    let kind = random.below(3);
+                    light(&mut random, kind)
+                })
+                .collect(),
+            scene_ambient: color(&mut random, 0.3),
+            front: material(&mut random),
+            back: material(&mut random),
+            ..Lighting::default()
+        };
+        let mut scene = ball(72, 72);
+        change(&mut random, &mut l, &mut scene);
+        scene.vertex.lighting = Some(l);
+        let f = compare(&scene, EDGES);
+        assert_eq!(f.off, 0, "{name} {seed}: {f:?}");
+        all.merge(&f);
+    }
+    all.print(name);
+    assert!(all.share() < 2e-3, "{all:?}");
+}
+
+#[test]
+fn initial_state() {
+    let mut cx = Context::new(4, 4);
+    let mut v = [9f32; 4];
+    for (face, pname, want) in [
+        (GL_FRONT, GL_AMBIENT, [0.2, 0.2, 0.2, 1.0]),
+        (GL_BACK, GL_DIFFUSE, [0.8, 0.8, 0.8, 1.0]),
+        (GL_FRONT, GL_SPECULAR, [0.0, 0.0, 0.0, 1.0]),
+        (GL_BACK, GL_EMISSION, [0.0, 0.0, 0.0, 1.0]),
+    ] {
+        cx.get_materialfv(face, pname, &mut v);
+        assert_eq!(v, want);
+    }
+    for i in 0..8 {
+        let l = GL_LIGHT0 + i;
+        cx.get_lightfv(l, GL_DIFFUSE, &mut v);
+        assert_eq!(v, if i == 0 { [1.0; 4] } else { [0.0, 0.0, 0.0, 1.0] });
+        cx.get_lightfv(l, GL_POSITION, &mut v);
+        assert_eq!(v, [0.0, 0.0, 1.0, 0.0]);
+        cx.get_lightfv(l, GL_SPOT_CUTOFF, &mut v);
+        assert_eq!(v[0], 180.0);
+        cx.get_lightfv(l, GL_CONSTANT_ATTENUATION, &mut v);
+        assert_eq!(v[0], 1.0);
+    }
+    no_error(&mut cx);
+    assert_eq!(get_f::<4>(&mut cx, GL_LIGHT_MODEL_AMBIENT), [0.2, 0.2, 0.2, 1.0]);
+    assert_eq!(get_i(&mut cx, GL_LIGHT_MODEL_TWO_SIDE), 0);
+    assert_eq!(get_i(&mut cx, GL_LIGHT_MODEL_COLOR_CONTROL) as u32, GL_SINGLE_COLOR);
+    assert_eq!(get_i(&mut cx, GL_COLOR_MATERIAL_FACE) as u32, GL_FRONT_AND_BACK);
+    assert_eq!(get_i(&mut cx, GL_COLOR_MATERIAL_PARAMETER) as u32, GL_AMBIENT_AND_DIFFUSE);
+}
+
+#[test]
+fn wrong_arguments() {
+    let mut cx = Context::new(4, 4);
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.lightf(GL_LIGHT0 + 8, GL_SPOT_CUTOFF, 10.0));
+    raises(&mut cx, GL_INVALID_VALUE, |cx| cx.lightf(GL_LIGHT0, GL_SPOT_CUTOFF, 91.0));
+    raises(&mut cx, GL_INVALID_VALUE, |cx| cx.lightf(GL_LIGHT0, GL_SPOT_EXPONENT, 129.0));
+    raises(&mut cx, GL_INVALID_VALUE, |cx| cx.lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, -1.0));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.lightf(GL_LIGHT0, GL_AMBIENT, 1.0));
+    raises(&mut cx, GL_INVALID_VALUE, |cx| cx.materialf(GL_FRONT, GL_SHININESS, 128.5));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.materialf(GL_LEFT, GL_SHININESS, 1.0));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.color_material(GL_FRONT, GL_SHININESS));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.light_modeli(GL_LIGHT0, 1));
+}
+
+#[test]
+fn one_sided_infinite_viewer() {
+    run("lighting", 24, |_, _, scene| scene.vertex.normalize = true);
+}
+
+#[test]
+fn local_viewer_and_separate_specular() {
+    run("local viewer", 16, |random, l, scene| {
+        l.local_viewer = true;
+        l.separate_specular = random.below(2) == 0;
+        scene.vertex.normalize = true;
+    });
+}
+
+#[test]
+fn two_sides() {
+    run("two-sided", 16, |random, l, scene| {
+        l.two_side = true;
+        scene.cull = Some(if random.below(2) == 0 { GL_FRONT } else { GL_BACK });
+        l.local_viewer = random.below(2) == 0;
+    });
+}
+
+#[test]
+fn colour_material() {
+    run("colour material", 20, |random, l, _| {
+        let face = random.pick(&[GL_FRONT, GL_BACK, GL_FRONT_AND_BACK]);
+        let mode = random.pick(&[GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE]);
+        l.color_material = Some((face, mode));
+    });
+}
+
+#[test]
+fn scaled_normals() {
+    run("rescale normal", 8, |random, _, scene| {
+        let k = random.range(0.5, 1.2);
+        scene.vertex.modelview = scene.vertex.modelview.times(M4::scaling(k, k, k));
+        scene.vertex.rescale_normal = true;
+    });
+    run("normalize", 8, |random, _, scene| {
+        let k = [random.range(0.5, 1.2), random.range(0.5, 1.2), random.range(0.5, 1.2)];
+        scene.vertex.modelview = scene.vertex.modelview.times(M4::scaling(k[0], k[1], k[2]));
+        scene.vertex.normalize = true;
+    });
+}
+
+#[test]
+fn light_positions_move_with_the_matrix() {
+    let mut cx = Context::new(4, 4);
+    cx.translatef(0.0, 0.0, -5.0);
+    cx.rotatef(90.0, 0.0, 1.0, 0.0);
+    cx.lightfv(GL_LIGHT2, GL_POSITION, &[1.0, 0.0, 0.0, 1.0]);
+    cx.lightfv(GL_LIGHT2, GL_SPOT_DIRECTION, &[1.0, 0.0, 0.0]);
+    let mut v = [0f32; 4];
+    cx.get_lightfv(GL_LIGHT2, GL_POSITION, &mut v);
+    crate::oracle::assert_near(&v.map(f64::from), &[0.0, 0.0, -6.0, 1.0], 1e-6);
+    cx.get_lightfv(GL_LIGHT2, GL_SPOT_DIRECTION, &mut v);
+    crate::oracle::assert_near(&v.map(f64::from)[..3], &[0.0, 0.0, -1.0], 1e-6);
+    no_error(&mut cx);
+}
