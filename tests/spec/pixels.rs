@@ -206,7 +206,7 @@ fn packed_types_split_as_their_names_say() {
     let mut gl = context();
     gl.pixel_storei(GL_UNPACK_ALIGNMENT, 1);
     let cases: [(GLenum, GLenum, u32, usize, [f64; 4]); 14] = [
-        (GL_RGB, GL_UNSIGNED_BYTE_3_3_2, 0b101_010_01, 1, [5. / 7., 2. / 7., 1. / 3., 1.]),
+        (GL_RGB, GL_UNSIGNED_BYTE_3_3_2, 0b1010_1001, 1, [5. / 7., 2. / 7., 1. / 3., 1.]),
         (GL_RGB, GL_UNSIGNED_BYTE_2_3_3_REV, 0b01_010_101, 1, [5. / 7., 2. / 7., 1. / 3., 1.]),
         (GL_RGB, GL_UNSIGNED_SHORT_5_6_5, 3 << 11 | 17 << 5 | 30, 2, [3. / 31., 17. / 63., 30. / 31., 1.]),
         (GL_RGB, GL_UNSIGNED_SHORT_5_6_5_REV, 30 << 11 | 17 << 5 | 3, 2, [3. / 31., 17. / 63., 30. / 31., 1.]),
@@ -288,7 +288,7 @@ fn packing_leaves_gaps_alone_and_rounds_to_the_nearest() {
     }
     // One byte too few for the last group: an error, and nothing is written.
     gl.pixel_storei(GL_PACK_ALIGNMENT, 1);
-    let mut memory = vec![0x5Au8; 3 * 24 + 5 * 4 - 1];
+    let mut memory = [0x5Au8; 3 * 24 + 5 * 4 - 1];
     gl.get_tex_image(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, &mut memory[..]);
     assert_eq!(gl.get_error(), GL_INVALID_OPERATION);
     assert!(memory.iter().all(|&b| b == 0x5A));
