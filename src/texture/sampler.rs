@@ -91,10 +91,20 @@ fn blends_levels(filter: GLenum) -> bool {
     matches!(filter, GL_NEAREST_MIPMAP_LINEAR | GL_LINEAR_MIPMAP_LINEAR)
 }
 
+/// Whether taps are taken along the footprint: MAX_ANISOTROPY is above 1 and the minification filter one of mipmaps that
+/// is linear within a level.
+fn is_anisotropic(p: &TexParameters, u: &UnitUniforms) -> bool {
+    u.max_taps > 1.0 && matches!(p.min_filter, GL_LINEAR_MIPMAP_NEAREST | GL_LINEAR_MIPMAP_LINEAR)
+}
+
 impl Lod {
     /// Decides from the filters and the limits of lambda: exact conditions only, none that is nearly true.
     fn of(p: &TexParameters, u: &UnitUniforms) -> Self {
         let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
+        if is_anisotropic(p, u) {
+            // How many taps there are is decided before lambda is limited, so every fragment needs its footprint.
+            return Lod::Varies { mixed: !mag, linear: true };
+        }
         let (least, greatest) = (u.min_lod, if u.max_lod > u.min_lod { u.max_lod } else { u.min_lod });
         if greatest <= u.magnify_below {
             return Lod::Base { linear: mag };
@@ -149,7 +159,7 @@ impl Sampler {
                 builder.levels(p.min_filter, linear, false);
             }
             Lod::Varies { mixed, linear } => {
-                let anisotropic = uniforms.max_taps > 1.0 && uniforms.last > 0.0 && linear;
+                let anisotropic = is_anisotropic(p, &uniforms);
                 builder.push(if anisotropic { anisotropy::footprint_stage(dims) } else { lod::lambda_stage(dims) }, 0);
                 if mixed {
                     builder.push(&lod::MAGNIFY, 0);
