@@ -14,6 +14,8 @@ pub mod glu;
 pub mod image_io;
 pub mod limits;
 pub mod num;
+#[cfg(feature = "tobj")]
+pub mod obj;
 pub mod pixels;
 pub mod raster;
 pub mod state;
