@@ -28,9 +28,9 @@ macro_rules! places {
 }
 pub(super) use places;
 
-/// Whether the batch is one row segment of all lanes.
+/// Where the pixels begin, if the batch is one row segment of all lanes.
 #[inline(always)]
-fn full_row(segments: &[Segment]) -> Option<usize> {
+pub(super) fn full_row(segments: &[Segment]) -> Option<usize> {
     match segments {
         [s] if s.row && s.start == 0 && s.len as usize == LANES => Some(s.offset as usize),
         _ => None,

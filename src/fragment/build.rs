@@ -103,7 +103,10 @@ impl Builder<'_> {
             let packed = !self.format.float;
             let blend = self.blending();
             let logic_op = self.logic_op();
-            let plain = self.colors(textures, tests.alpha, packed && blend.is_none() && logic_op.is_none());
+            let packable = packed && blend.is_none() && logic_op.is_none();
+            let kills = tests.alpha.is_some() || tests.stencil.is_some() || tests.depth.is_some();
+            let direct = packable && writes_color && !kills && self.program.uniforms.color_mask == u32::MAX;
+            let plain = self.colors(textures, tests.alpha, packable, direct);
             self.finish_layout();
             if !early {
                 self.alpha_test(&tests);
@@ -116,7 +119,9 @@ impl Builder<'_> {
                 }
                 self.count_and_stop(&tests, count);
             }
-            if writes_color {
+            if direct && plain {
+                self.decide("store", Fate::Hoisted, "with the colour, since no test can kill a fragment");
+            } else if writes_color {
                 self.store(plain, blend, logic_op);
             }
         } else {
@@ -264,12 +269,13 @@ impl Builder<'_> {
     }
 
     /// Everything that makes the fragment's colour. Gives whether that is the interpolated colour and nothing else, and
-    /// `packable` with it, so that it is packed as it is interpolated; then it has been.
+    /// `packable` with it, so that it is packed as it is interpolated; then it has been, and with `direct` also stored.
     fn colors(
         &mut self,
         textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
         alpha_test: Option<Func>,
         packable: bool,
+        direct: bool,
     ) -> bool {
         let general = self.options.general;
         let textured = textures.iter().any(Option::is_some);
@@ -284,7 +290,7 @@ impl Builder<'_> {
             self.program.layout.color = Some(self.slots(4));
             let first = self.first();
             if plain {
-                self.push(&pack::COLOR_PACKED, first);
+                self.push(if direct { &pack::COLOR_STORE } else { &pack::COLOR_PACKED }, first);
                 self.decide(
                     "colour",
                     Fate::Hoisted,

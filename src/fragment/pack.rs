@@ -3,8 +3,8 @@
 //! Where nothing comes between interpolation and the store, [`COLOR_PACKED`] does both at once: a primitive of one colour
 //! is rounded once for a whole segment, others are rounded in registers.
 
-use super::batch::FragmentBatch;
-use super::buffers::{load, places, store};
+use super::batch::{FragmentBatch, Segment};
+use super::buffers::{full_row, load, places, store};
 use super::interpolate::{FIRST, primitive, reciprocals, value};
 use super::planes::{Plane, Planes};
 use super::segments::{CHUNK, IOTA, pieces, positions, put, row_origin, single_row};
@@ -65,8 +65,8 @@ impl Run {
 
 /// A row of one primitive that fills the batch. `OPAQUE`: its alpha is constant and stands in `or`.
 #[inline(always)]
-fn row<const OPAQUE: bool>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; 4], or: u32) {
-    let (x0, y) = row_origin(&b.segments[0], planes);
+fn row<const OPAQUE: bool>(segment: &Segment, planes: &Planes, pool: &[Plane; 4], or: u32, out: &mut [u32; LANES]) {
+    let (x0, y) = row_origin(segment, planes);
     let (x0, y) = (x0 as f32, y as f32);
     let red = Run::new(&pool[0], y);
     let green = Run::new(&pool[1], y);
@@ -77,7 +77,7 @@ fn row<const OPAQUE: bool>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane
             let dx = x0 + IOTA[i];
             let v = |run: &Run| run.byte(run.at + run.x * dx);
             let a = if OPAQUE { 0 } else { v(&alpha) };
-            b.packed[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
+            out[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
         }
     } else {
         let (d_at, d_x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
@@ -86,7 +86,59 @@ fn row<const OPAQUE: bool>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane
             let rw = 1.0 / (d_at + d_x * dx);
             let v = |run: &Run| run.byte((run.at + run.x * dx) * rw);
             let a = if OPAQUE { 0 } else { v(&alpha) };
-            b.packed[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
+            out[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
+        }
+    }
+}
+
+/// A row of one primitive that fills the batch, of whatever kind; false where it is wide.
+#[inline(always)]
+fn any_row(segment: &Segment, planes: &Planes, pool: &[Plane; 4], or: u32, out: &mut [u32; LANES]) -> bool {
+    let alpha = &pool[3];
+    if let Some(packed) = constant(pool) {
+        *out = [packed | or; LANES];
+    } else if planes.wide & Planes::WIDE_W != 0 {
+        return false;
+    } else if alpha.min == alpha.max {
+        row::<true>(segment, planes, pool, or | byte(alpha.max) << 24, out);
+    } else {
+        row::<false>(segment, planes, pool, or, out);
+    }
+    true
+}
+
+/// The packed colours of all segments.
+#[inline(always)]
+fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, arg: u32) {
+    if single_row(b)
+        && let Some((planes, pool)) = primitive::<4>(w, &b.segments[0], slot)
+        && any_row(&b.segments[0], planes, pool, or, &mut b.packed)
+    {
+        return;
+    }
+    for s in 0..b.segment_count.min(LANES) {
+        let segment = b.segments[s];
+        let Some((planes, pool)) = primitive::<4>(w, &segment, slot) else { continue };
+        let flat = constant(pool);
+        for piece in pieces(&segment) {
+            let mut out = [0; CHUNK];
+            if let Some(packed) = flat {
+                out = [packed | or; CHUNK];
+            } else {
+                let (dx, dy) = positions(b, &segment, planes, piece);
+                let rw = reciprocals(b, planes, arg & FIRST != 0, piece, &dx, &dy);
+                let wide = planes.wide & Planes::WIDE_W != 0;
+                let v = [
+                    value(&pool[0], wide, &dx, &dy, &rw),
+                    value(&pool[1], wide, &dx, &dy, &rw),
+                    value(&pool[2], wide, &dx, &dy, &rw),
+                    value(&pool[3], wide, &dx, &dy, &rw),
+                ];
+                for i in 0..CHUNK {
+                    out[i] = pixel(byte(v[0][i]), byte(v[1][i]), byte(v[2][i]), byte(v[3][i])) | or;
+                }
+            }
+            put(&mut b.packed, piece, &out);
         }
     }
 }
@@ -94,47 +146,23 @@ fn row<const OPAQUE: bool>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane
 stage! {
     /// The interpolated primary colour, packed: what [`COLOR`](super::interpolate::COLOR) and [`PACK`] would give.
     pub(super) fn COLOR_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        if let Some(slot) = u.layout.color {
+            color_packed(b, slot, u.packed_or, w, arg);
+        }
+    }
+
+    /// [`COLOR_PACKED`] and [`STORE`] where no fragment can have been killed: full rows go straight to the pixels.
+    pub(super) fn COLOR_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(slot) = u.layout.color else { return };
-        if single_row(b) && let Some((planes, pool)) = primitive::<4>(w, &b.segments[0], slot) {
-            if let Some(packed) = constant(pool) {
-                b.packed = [packed | u.packed_or; LANES];
-                return;
-            }
-            if planes.wide & Planes::WIDE_W == 0 {
-                let alpha = &pool[3];
-                if alpha.min == alpha.max {
-                    row::<true>(b, planes, pool, u.packed_or | byte(alpha.max) << 24);
-                } else {
-                    row::<false>(b, planes, pool, u.packed_or);
-                }
-                return;
-            }
+        if let Some(at) = full_row(b.segments.get(..b.segment_count).unwrap_or(&[]))
+            && let Some((planes, pool)) = primitive::<4>(w, &b.segments[0], slot)
+            && let Some(run) = w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut())
+            && any_row(&b.segments[0], planes, pool, u.packed_or, run)
+        {
+            return;
         }
-        for s in 0..b.segment_count.min(LANES) {
-            let segment = b.segments[s];
-            let Some((planes, pool)) = primitive::<4>(w, &segment, slot) else { continue };
-            let flat = constant(pool);
-            for piece in pieces(&segment) {
-                let mut out = [0; CHUNK];
-                if let Some(packed) = flat {
-                    out = [packed | u.packed_or; CHUNK];
-                } else {
-                    let (dx, dy) = positions(b, &segment, planes, piece);
-                    let rw = reciprocals(b, planes, arg & FIRST != 0, piece, &dx, &dy);
-                    let wide = planes.wide & Planes::WIDE_W != 0;
-                    let v = [
-                        value(&pool[0], wide, &dx, &dy, &rw),
-                        value(&pool[1], wide, &dx, &dy, &rw),
-                        value(&pool[2], wide, &dx, &dy, &rw),
-                        value(&pool[3], wide, &dx, &dy, &rw),
-                    ];
-                    for i in 0..CHUNK {
-                        out[i] = pixel(byte(v[0][i]), byte(v[1][i]), byte(v[2][i]), byte(v[3][i])) | u.packed_or;
-                    }
-                }
-                put(&mut b.packed, piece, &out);
-            }
-        }
+        color_packed(b, slot, u.packed_or, w, arg);
+        store(places!(b), &b.tex.mask, &b.packed, w.band.rgba8);
     }
 
     /// The fragment's colour, packed.

@@ -336,7 +336,7 @@ fn samples_are_those_that_pass() {
 fn a_program_says_what_it_does() {
     let format = FramebufferFormat::default();
     let plain = program(Level::Baseline, &State::default(), &format, Options::default());
-    assert_eq!(plain.stage_names(), ["BEGIN", "COLOR_PACKED", "STORE"]);
+    assert_eq!(plain.stage_names(), ["BEGIN", "COLOR_STORE"]);
     assert!(!plain.reads_framebuffer && !plain.draws_nothing);
     let fate =
         |p: &super::super::program::Program, stage: &str| p.decisions.iter().find(|d| d.stage == stage).map(|d| d.fate);
