@@ -4,6 +4,7 @@
 mod equations;
 mod interpolation;
 mod invariance;
+mod textured;
 
 use super::batch::{FragmentBatch, Segment};
 use super::planes::{Linear, Plane, Planes};

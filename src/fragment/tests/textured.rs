@@ -1,0 +1,187 @@
+//! Programs with textures: what is left out changes no bit either, q included, and the pieces meet at the right place.
+
+use super::super::planes::{Layout, Linear, Plane, Planes};
+use super::super::program::Program;
+use super::{Corners, Feed, Random, Scene, contents, draw, pixel};
+use crate::batch::Level;
+use crate::enums::*;
+use crate::fragment::program::Options;
+use crate::framebuffer::{Framebuffer, FramebufferFormat};
+use crate::state::State;
+use crate::state::texture::Target;
+use crate::texture::format::InternalFormat;
+use crate::texture::image::{Dimensions, Image, Texels};
+use crate::texture::object::TextureObject;
+use crate::texture::sampler::prepare;
+use std::sync::Arc;
+
+/// A complete texture of noise with all levels.
+fn texture(r: &mut Random, format: GLenum, size: [u32; 2], filters: [GLenum; 2], wrap: GLenum) -> TextureObject {
+    let mut object = TextureObject::new(Target::D2);
+    (object.parameters.min_filter, object.parameters.mag_filter) = (filters[0], filters[1]);
+    object.parameters.wrap = [wrap; 3];
+    object.parameters.border_color = [0.2, 0.9, 0.4, 0.6];
+    let row = InternalFormat::find(format).unwrap();
+    let mut size = size;
+    for level in 0..14 {
+        let mut image = Image::new(row, Dimensions::Two, [size[0], size[1], 1], 0).unwrap();
+        if let Texels::Rgba8(texels) = &mut image.texels {
+            texels.iter_mut().for_each(|t| *t = row.base.expand_rgba8(r.next() as u32));
+        }
+        object.faces[0][level] = Some(Arc::new(image));
+        if size == [1, 1] {
+            break;
+        }
+        size = size.map(|s| (s / 2).max(1));
+    }
+    prepare(&mut object).unwrap();
+    object
+}
+
+/// A primitive with values for every slot of a layout; the same ones for layouts that differ in what they leave out.
+fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool) -> Scene {
+    let size = [90.0, 20.0];
+    let linear = |v: Corners| Linear { at: v[0], x: (v[1] - v[0]) / size[0], y: (v[2] - v[0]) / size[1] };
+    let w: Corners = if affine { [1.0; 3] } else { [1.0, 0.2 + 0.8 * r.unit(), 0.3 + 0.7 * r.unit()] };
+    let plane = |s: Corners| {
+        let n = linear(std::array::from_fn(|i| w[i] * (s[i] - s[0])));
+        Plane { c: s[0] as f32, min: -50.0, max: 50.0, n0: n.at, nx: n.x, ny: n.y }
+    };
+    let mut pool = vec![Plane::default(); layout.count];
+    let mut corners = |scale: f64| [r.unit() * scale, r.unit() * scale, r.unit() * scale];
+    let colors: Vec<_> = (0..8).map(|_| plane(corners(0.5))).collect();
+    for (slot, from) in [(layout.color, 0..4), (layout.secondary, 4..7), (layout.fog, 7..8)] {
+        let Some(slot) = slot else { continue };
+        for (k, from) in from.enumerate() {
+            pool[slot + k] = colors[from];
+        }
+    }
+    for slots in &layout.units {
+        let coords: Vec<_> = (0..3).map(|_| plane(corners(if wide { 40.0 } else { 3.0 }))).collect();
+        let Some(slots) = slots else { continue };
+        pool[slots.base..slots.base + slots.count].copy_from_slice(&coords[..slots.count]);
+        if slots.has_q {
+            let q = linear(w);
+            pool[slots.base + slots.count] = Plane { n0: q.at, nx: q.x, ny: q.y, ..Plane::default() };
+        }
+    }
+    let planes = Planes {
+        origin: [2, 0],
+        z: linear(corners(1.6e7)),
+        d: linear(w),
+        affine,
+        wide: if wide { 0b101 } else { 0 },
+        first: 0,
+    };
+    Scene { planes: vec![planes], pool }
+}
+
+#[test]
+fn textured_programs_leave_out_nothing_that_shows() {
+    let mut r = Random::new(31);
+    let format = FramebufferFormat::default();
+    for case in 0..150 {
+        let mut state = State::default();
+        state.depth.test = r.bool();
+        state.color_buffer.blend = r.below(3) == 0;
+        state.color_buffer.blend_src = [GL_SRC_ALPHA; 2];
+        state.color_buffer.blend_dst = [GL_ONE_MINUS_SRC_ALPHA; 2];
+        state.color_buffer.alpha_test = r.below(3) == 0;
+        (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (GL_GREATER, 0.2);
+        (state.fog.enabled, state.fog.color_sum) = (r.below(3) == 0, r.below(3) == 0);
+        let mut textures = Vec::new();
+        for unit in 0..3 {
+            let filters = [
+                r.pick(&[GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_NEAREST]),
+                r.pick(&[GL_NEAREST, GL_LINEAR]),
+            ];
+            let kind = r.pick(&[GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_ALPHA8]);
+            let wrap = r.pick(&[GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT]);
+            let object = texture(&mut r, kind, [16, 8], filters, wrap);
+            textures.push((unit == 0 || r.below(3) == 0).then_some(object));
+            let modes = [GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD];
+            state.texture.units[unit].env.mode = r.pick(&modes);
+        }
+        let (affine, wide, seed) = (r.bool(), r.below(3) == 0, r.next());
+        let mut want = None;
+        for level in Level::available() {
+            for general in [true, false] {
+                let units = std::array::from_fn(|u| textures.get(u).and_then(Option::as_ref));
+                let options = Options { general, q_units: 0, ..Options::default() };
+                let p = Program::build(level, &state, units, &format, options);
+                let scene = scene(&mut Random::new(seed), &p.layout, affine, wide);
+                for feed in Feed::ALL {
+                    let mut f = Framebuffer::new(96, 20, format).unwrap();
+                    draw(&p, &scene, &mut f, feed, &[(0, [2, 0, 90, 20])]);
+                    let got = contents(&f);
+                    match &want {
+                        None => want = Some(got),
+                        Some(want) => assert!(
+                            *want == got,
+                            "case {case} {level:?} general {general} {feed:?} wide {wide}\n{}{:?}",
+                            p.explain(),
+                            p.stage_names()
+                        ),
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_texel_a_pixel_is_a_copy() {
+    let mut r = Random::new(8);
+    let object = texture(&mut r, GL_RGBA8, [64, 32], [GL_NEAREST; 2], GL_REPEAT);
+    let mut state = State::default();
+    state.texture.units[0].env.mode = GL_REPLACE;
+    let format = FramebufferFormat::default();
+    let mut units = [None; 8];
+    units[0] = Some(&object);
+    let options = Options { q_units: 0, ..Options::default() };
+    let p = Program::build(Level::detect(), &state, units, &format, options);
+    assert_eq!(p.layout.color, None, "REPLACE of an RGBA texture needs no colour\n{}", p.explain());
+    assert_eq!(p.layout.count, 2);
+    let plane = |n: f64, x: f64, y: f64| Plane { c: 0.0, min: 0.0, max: 1.0, n0: n, nx: x, ny: y };
+    // Pixel centres: the planes are those of (x + 1/2) / 64 and (y + 1/2) / 32.
+    let scene = Scene {
+        pool: vec![plane(0.5 / 64.0, 1.0 / 64.0, 0.0), plane(0.5 / 32.0, 0.0, 1.0 / 32.0)],
+        planes: vec![Planes { d: Linear { at: 1.0, x: 0.0, y: 0.0 }, affine: true, ..Planes::default() }],
+    };
+    let mut f = Framebuffer::new(64, 32, format).unwrap();
+    draw(&p, &scene, &mut f, Feed::Rows, &[(0, [0, 0, 64, 32])]);
+    let image = object.image(0, 0).unwrap();
+    for (x, y) in (0..32).flat_map(|y| (0..64).map(move |x| (x, y))) {
+        assert_eq!(pixel(&f, x, y), image.texel(x, y, 0), "({x}, {y})");
+    }
+}
+
+#[test]
+fn layouts_hold_what_is_needed() {
+    let mut r = Random::new(4);
+    let format = FramebufferFormat::default();
+    let object = texture(&mut r, GL_RGB8, [16, 16], [GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR], GL_REPEAT);
+    let mut state = State::default();
+    state.texture.units[1].env.mode = GL_DECAL;
+    let mut units = [None; 8];
+    units[1] = Some(&object);
+    let build = |state: &State, q_units| {
+        Program::build(Level::Baseline, state, units, &format, Options { q_units, ..Options::default() })
+    };
+    // DECAL of an RGB texture replaces the colours and keeps the alpha of the primary colour.
+    let p = build(&state, 0);
+    let unit = p.layout.units[1].unwrap();
+    assert_eq!((p.layout.color, unit.base, unit.count, unit.has_q), (Some(0), 4, 2, false));
+    assert_eq!((unit.period, unit.size), ([1, 1, 0], [16, 16, 1]));
+    assert!(build(&state, 2).layout.units[1].unwrap().has_q, "vertices may give q");
+    state.texture.units[1].generation[3].enabled = true;
+    assert!(build(&state, 0).layout.units[1].unwrap().has_q, "q is generated");
+    state.texture.units[1].generation[3].enabled = false;
+    state.transform.texture[1].top_mut().x_axis.w = 0.25;
+    assert!(build(&state, 0).layout.units[1].unwrap().has_q, "the texture matrix makes a q");
+    state.lighting.enabled = true;
+    state.lighting.model.two_side = true;
+    state.lighting.model.color_control = GL_SEPARATE_SPECULAR_COLOR;
+    let l = build(&state, 0).layout;
+    assert_eq!((l.secondary, l.count, l.back, l.stride), (Some(7), 10, Some(10), 17));
+}
