@@ -82,8 +82,7 @@ pub(crate) fn draw() {
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB, GL_TEXTURE);
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE1_RGB, GL_PRIMARY_COLOR);
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE2_RGB, GL_CONSTANT);
-    let functions =
-        [GL_REPLACE, GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_SUBTRACT, GL_INTERPOLATE];
+    let functions = [GL_REPLACE, GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_SUBTRACT, GL_INTERPOLATE];
     for (i, function) in functions.into_iter().enumerate() {
         glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB, if i == 1 { GL_PRIMARY_COLOR } else { GL_TEXTURE });
         glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, function);

@@ -11,10 +11,7 @@ support::port!(
     "reflect",
     [512, 384],
     "A chrome torus: SPHERE_MAP with a map that shows a tiled floor and a window. In the corner the map itself.",
-    [
-        "glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP)",
-        "glTexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP)",
-    ]
+    ["glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP)", "glTexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP)",]
 );
 
 const N: usize = 256;

@@ -72,14 +72,10 @@ fn generate_texture_coordinates() {
     light_view();
     glGetFloatv(GL_TRANSPOSE_MODELVIEW_MATRIX, &mut m);
     glPopMatrix();
-    for (i, (coord, cap)) in [
-        (GL_S, GL_TEXTURE_GEN_S),
-        (GL_T, GL_TEXTURE_GEN_T),
-        (GL_R, GL_TEXTURE_GEN_R),
-        (GL_Q, GL_TEXTURE_GEN_Q),
-    ]
-    .into_iter()
-    .enumerate()
+    for (i, (coord, cap)) in
+        [(GL_S, GL_TEXTURE_GEN_S), (GL_T, GL_TEXTURE_GEN_T), (GL_R, GL_TEXTURE_GEN_R), (GL_Q, GL_TEXTURE_GEN_Q)]
+            .into_iter()
+            .enumerate()
     {
         glTexGeni(coord, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR);
         glTexGenfv(coord, GL_EYE_PLANE, &m[4 * i..4 * i + 4]);

@@ -20,43 +20,72 @@ const CHUNK_VERTICES: u32 = 4096;
 const CHUNK_INDICES: usize = 6 * CHUNK_VERTICES as usize;
 /// Places of the cache; a vertex has one place, by its index.
 const PLACES: usize = 8192;
+/// Bits of an id of the pool: ids are below [`CHUNK_VERTICES`] plus what a primitive holds.
+const ID_BITS: u32 = 13;
 
 /// Which vertices of a chunk have been met, by index: a direct-mapped cache. A vertex that was pushed out of its place is
 /// transformed again, which changes nothing but time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct VertexCache {
-    /// Index, and chunk number times 2^13 plus the vertex's id in the pool.
-    places: Vec<(u32, u32)>,
-    chunk: u32,
+    /// Index, then the number of the chunk, then the vertex's id in the pool, from the highest bits down.
+    places: Vec<u64>,
+    chunk: u64,
     /// The chunk's indices as ids of the pool.
     ids: Vec<u32>,
 }
 
-const ID_BITS: u32 = 13;
-
 impl VertexCache {
     /// Forgets the vertices of the last chunk.
     fn next_chunk(&mut self) {
-        self.ids.clear();
-        self.chunk = (self.chunk + 1) & (u32::MAX >> ID_BITS);
+        self.chunk = (self.chunk + 1) & u64::from(u32::MAX >> ID_BITS);
         if self.chunk == 0 || self.places.is_empty() {
             self.places.clear();
-            self.places.resize(PLACES, (0, 0));
+            self.places.resize(PLACES, 0);
             self.chunk = 1;
         }
+        self.ids.resize(CHUNK_INDICES, 0);
     }
 
-    /// The id of a vertex; `Err` with a place to note it in where it is new.
+    /// Turns the next indices of a list into ids, until there are `most` vertices. Tells `fresh` of each new one. Returns
+    /// how many indices were taken.
     #[inline]
-    fn id(&mut self, index: u32, new: u32) -> (u32, bool) {
-        let Some(place) = self.places.get_mut(index as usize % PLACES) else { return (new, true) };
-        let tag = self.chunk << ID_BITS;
-        if place.0 == index && place.1 & !((1 << ID_BITS) - 1) == tag {
-            return (place.1 & ((1 << ID_BITS) - 1), false);
+    fn fill<const BYTES: usize>(
+        &mut self,
+        indices: &[[u8; BYTES]],
+        mut next: u32,
+        most: u32,
+        mut fresh: impl FnMut(u32),
+    ) -> usize {
+        let Some(places) = self.places.first_chunk_mut::<PLACES>() else { return 0 };
+        for (taken, (id, bytes)) in self.ids.iter_mut().zip(indices).enumerate() {
+            let mut wide = [0; 4];
+            wide[..BYTES].copy_from_slice(bytes);
+            let index = u32::from_le_bytes(if cfg!(target_endian = "big") { swapped(*bytes) } else { wide });
+            let key = u64::from(index) << 32 | self.chunk << ID_BITS;
+            let place = &mut places[index as usize % PLACES];
+            let found = *place ^ key;
+            if found < 1 << ID_BITS {
+                *id = found as u32;
+                continue;
+            }
+            if next >= most {
+                return taken;
+            }
+            *place = key | u64::from(next);
+            *id = next;
+            next += 1;
+            fresh(index);
         }
-        *place = (index, tag | new);
-        (new, true)
+        self.ids.len().min(indices.len())
     }
+}
+
+/// Bytes of a number from the lowest on.
+fn swapped<const BYTES: usize>(mut bytes: [u8; BYTES]) -> [u8; 4] {
+    bytes.reverse();
+    let mut wide = [0; 4];
+    wide[..BYTES].copy_from_slice(&bytes);
+    wide
 }
 
 /// An index list as numbers.
@@ -159,7 +188,7 @@ impl Engine {
             let ids: [u32; LANES] = std::array::from_fn(|i| at.wrapping_add(i as u32));
             sources.fill(&ids[..n as usize], &mut pipe.batch);
             let id = pipe.array_batch();
-            pipe.array_feed(id..id + n, scene);
+            pipe.array_feed_batch(id, scene);
             pipe.array_flush();
             if scene.is_full() {
                 queries.passed += scene.make_room(framebuffer, config.threads);
@@ -187,34 +216,37 @@ impl Engine {
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
         sources.defaults(&mut pipe.batch);
-        let cut = pipe.cut();
-        let mut indices = numbers(bytes, size).peekable();
-        while indices.peek().is_some() {
+        let cut = pipe.cut().min(LANES);
+        let mut rest = bytes;
+        while !rest.is_empty() {
             cache.next_chunk();
-            let mut next = pipe.held() as u32;
-            let most = next + CHUNK_VERTICES;
-            let mut fresh = [0; LANES];
+            let next = pipe.held() as u32;
+            let mut new = [0; LANES];
             let mut n = 0;
-            while next < most && cache.ids.len() < CHUNK_INDICES {
-                let Some(index) = indices.next() else { break };
-                let (id, new) = cache.id(index, next);
-                cache.ids.push(id);
-                if new {
-                    next += 1;
-                    fresh[n] = index;
+            let fresh = |index: u32| {
+                if let Some(place) = new.get_mut(n) {
+                    *place = index;
                     n += 1;
-                    if n >= cut {
-                        sources.fill(&fresh[..n], &mut pipe.batch);
-                        pipe.array_batch();
-                        n = 0;
-                    }
                 }
-            }
+                if n >= cut {
+                    sources.fill(&new, &mut pipe.batch);
+                    pipe.batch.n = n;
+                    pipe.array_batch();
+                    n = 0;
+                }
+            };
+            let most = next + CHUNK_VERTICES;
+            let taken = match size {
+                1 => cache.fill(rest.as_chunks::<1>().0, next, most, fresh),
+                2 => cache.fill(rest.as_chunks::<2>().0, next, most, fresh),
+                _ => cache.fill(rest.as_chunks::<4>().0, next, most, fresh),
+            };
             if n > 0 {
-                sources.fill(&fresh[..n], &mut pipe.batch);
+                sources.fill(&new[..n], &mut pipe.batch);
                 pipe.array_batch();
             }
-            pipe.array_feed(cache.ids.iter().copied(), scene);
+            rest = rest.get(taken * size..).unwrap_or_default();
+            pipe.array_feed(cache.ids.get(..taken).unwrap_or_default(), scene);
             pipe.array_flush();
             if scene.is_full() {
                 queries.passed += scene.make_room(framebuffer, config.threads);

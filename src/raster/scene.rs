@@ -155,6 +155,18 @@ impl<P: Shader> Scene<P> {
         Some((cx, &mut self.geometry, &mut self.stipple))
     }
 
+    /// Whether triangles are culled, or come to nothing, whose area in the window is positive (counter-clockwise), or is
+    /// not. Those need not be drawn at all.
+    #[must_use]
+    pub fn culls(&self) -> [bool; 2] {
+        let Some(draw) = self.draws.last() else { return [true; 2] };
+        let rs = &draw.raster;
+        let nothing = draw.program.draws_nothing();
+        let faces = if rs.ccw_is_front { [rs.cull[0], rs.cull[1]] } else { [rs.cull[1], rs.cull[0]] };
+        // An area of zero is a back face (section 2.14.1), whichever way is the front.
+        [nothing || faces[0], nothing || (faces[1] && rs.cull[1])]
+    }
+
     /// Draws a triangle: three vertices in the order in which they were issued, which of them is the provoking vertex, and
     /// whether the edge from each vertex to the next is a boundary edge of its polygon. Vertices must not need clipping.
     #[inline]

@@ -35,21 +35,45 @@ pub struct Output<'a, S> {
     pub clipper: &'a mut Clipper,
     /// Where primitives go.
     pub sink: &'a mut S,
+    /// What the sink [culls](Assembled::culls).
+    culls: [bool; 2],
 }
 
-impl<S: Assembled> Output<'_, S> {
+/// Twice the area of a triangle in the window, in 1/65536 pixel; exact for positions within the guard band.
+#[inline]
+fn area([a, b, c]: [[i32; 2]; 3]) -> i64 {
+    let side = |p: i32, q: i32| i64::from(p) - i64::from(q);
+    side(b[0], a[0]) * side(c[1], a[1]) - side(c[0], a[0]) * side(b[1], a[1])
+}
+
+impl<'a, S: Assembled> Output<'a, S> {
+    /// What works with a plan's vertices.
+    pub fn new(plan: &'a VertexPlan, clipper: &'a mut Clipper, sink: &'a mut S) -> Self {
+        let culls = sink.culls();
+        Self { plan, clipper, sink, culls }
+    }
+
     #[inline]
     fn triangle(&mut self, pool: &Pool, ids: [u32; 3], provoking: usize, edges: [bool; 3]) {
-        let (Some(a), Some(b), Some(c)) = (pool.get(ids[0]), pool.get(ids[1]), pool.get(ids[2])) else { return };
-        let (all, any) =
-            (a.head.outcode & b.head.outcode & c.head.outcode, a.head.outcode | b.head.outcode | c.head.outcode);
+        let Some(places) = pool.places(ids) else { return };
+        let [a, b, c] = places.map(|place| place.outcode);
+        let (all, any) = (a & b & c, a | b | c);
         if all & (outcode::FRUSTUM | outcode::USER_ALL) != 0 || any & outcode::NAN != 0 {
             return;
         }
-        if any & self.plan.clip_mask == 0 {
-            self.sink.triangle([a, b, c], provoking, edges);
-        } else {
+        if any & self.plan.clip_mask != 0 {
             self.clipper.triangle(self.plan, pool, ids, provoking, edges, self.sink);
+            return;
+        }
+        let [positive, other] = self.culls;
+        if positive | other {
+            let counter_clockwise = area(places.map(|place| place.snapped)) > 0;
+            if if counter_clockwise { positive } else { other } {
+                return;
+            }
+        }
+        if let (Some(a), Some(b), Some(c)) = (pool.get(ids[0]), pool.get(ids[1]), pool.get(ids[2])) {
+            self.sink.triangle([a, b, c], provoking, edges);
         }
     }
 
@@ -102,26 +126,35 @@ impl Assembler {
 
     /// Collects groups of `N` vertices.
     #[inline]
-    fn groups<const N: usize>(&mut self, ids: impl Iterator<Item = u32>, mut each: impl FnMut([u32; N])) {
-        let mut group = [0; N];
-        let mut held = self.held.min(N - 1);
-        group[..held].copy_from_slice(&self.hold[..held]);
-        for id in ids {
-            group[held] = id;
-            held += 1;
-            if held == N {
-                each(group);
-                held = 0;
+    fn groups<const N: usize>(&mut self, mut ids: &[u32], mut each: impl FnMut([u32; N])) {
+        if self.held > 0 {
+            let mut group = [0; N];
+            let held = self.held.min(N - 1);
+            let missing = (N - held).min(ids.len());
+            let (first, rest) = ids.split_at(missing);
+            group[..held].copy_from_slice(&self.hold[..held]);
+            group[held..held + missing].copy_from_slice(first);
+            if held + missing < N {
+                self.hold[..held + missing].copy_from_slice(&group[..held + missing]);
+                self.held = held + missing;
+                return;
             }
+            each(group);
+            ids = rest;
         }
-        self.hold[..held].copy_from_slice(&group[..held]);
-        self.held = held;
+        let (groups, rest) = ids.as_chunks::<N>();
+        for group in groups {
+            each(*group);
+        }
+        self.hold[..rest.len()].copy_from_slice(rest);
+        self.held = rest.len();
     }
 
     /// Takes the next vertices of the primitive.
-    pub fn feed<S: Assembled>(&mut self, ids: impl Iterator<Item = u32>, pool: &Pool, out: &mut Output<'_, S>) {
+    pub fn feed<S: Assembled>(&mut self, ids: &[u32], pool: &Pool, out: &mut Output<'_, S>) {
+        let each = ids.iter().copied();
         match self.mode {
-            GL_POINTS => ids.for_each(|id| out.point(pool, id)),
+            GL_POINTS => each.for_each(|id| out.point(pool, id)),
             GL_LINES => self.groups(ids, |ids| out.line(pool, ids, 1, true)),
             GL_TRIANGLES if out.plan.needs & super::batch::needs::EDGE == 0 => {
                 self.groups(ids, |ids| out.triangle(pool, ids, 2, [true; 3]));
@@ -134,14 +167,14 @@ impl Assembler {
                 let edges = ids.map(|id| out.edge(pool, id));
                 out.quad(pool, ids, edges);
             }),
-            GL_LINE_STRIP => ids.for_each(|id| {
+            GL_LINE_STRIP => each.for_each(|id| {
                 if self.held == 1 {
                     out.line(pool, [self.hold[0], id], 1, self.count == 0);
                     self.count = 1;
                 }
                 (self.hold[0], self.held) = (id, 1);
             }),
-            GL_LINE_LOOP => ids.for_each(|id| {
+            GL_LINE_LOOP => each.for_each(|id| {
                 // Held: the last vertex, then the first.
                 match self.held {
                     0 => (self.hold[0], self.hold[1], self.held) = (id, id, 2),
@@ -151,7 +184,7 @@ impl Assembler {
                     }
                 }
             }),
-            GL_TRIANGLE_STRIP => ids.for_each(|id| {
+            GL_TRIANGLE_STRIP => each.for_each(|id| {
                 if self.held < 2 {
                     self.hold[self.held] = id;
                     self.held += 1;
@@ -163,9 +196,9 @@ impl Assembler {
                 self.count ^= 1;
                 (self.hold[0], self.hold[1]) = (b, id);
             }),
-            GL_TRIANGLE_FAN => ids.for_each(|id| self.fan(id, pool, out)),
-            GL_POLYGON => ids.for_each(|id| self.polygon(id, pool, out)),
-            GL_QUAD_STRIP => ids.for_each(|id| {
+            GL_TRIANGLE_FAN => each.for_each(|id| self.fan(id, pool, out)),
+            GL_POLYGON => each.for_each(|id| self.polygon(id, pool, out)),
+            GL_QUAD_STRIP => each.for_each(|id| {
                 if self.held < 3 {
                     self.hold[self.held] = id;
                     self.held += 1;

@@ -32,6 +32,11 @@ pub trait Assembled {
     fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool);
     /// A point.
     fn point(&mut self, vertex: VertexRef<'_>);
+    /// Whether triangles come to nothing whose area in the window is positive (counter-clockwise), or is not: those need
+    /// not be handed on.
+    fn culls(&self) -> [bool; 2] {
+        [false; 2]
+    }
 }
 
 impl<P: Shader> Assembled for Scene<P> {
@@ -45,6 +50,10 @@ impl<P: Shader> Assembled for Scene<P> {
 
     fn point(&mut self, vertex: VertexRef<'_>) {
         Scene::point(self, vertex);
+    }
+
+    fn culls(&self) -> [bool; 2] {
+        Scene::culls(self)
     }
 }
 

@@ -122,13 +122,13 @@ impl Pipe {
         self.pool.append(&self.batch);
         self.batch.clear();
         let first = next;
-        let mut out = Output { plan: &self.plan, clipper: &mut self.clipper, sink };
+        let mut out = Output::new(&self.plan, &mut self.clipper, sink);
         for span in &self.spans {
             if span.begins {
                 self.assembler.begin(span.mode);
             }
             let until = (first + span.until).max(next);
-            self.assembler.feed(next..until, &self.pool, &mut out);
+            self.assembler.feed(consecutive(next, until), &self.pool, &mut out);
             next = until;
             if span.ends {
                 self.assembler.end(&self.pool, &mut out);
@@ -157,9 +157,15 @@ impl Pipe {
         first
     }
 
+    /// Assembles the vertices of the batch that begins with an id.
+    pub fn array_feed_batch<S: Assembled>(&mut self, first: u32, sink: &mut S) {
+        let ids = consecutive(first, self.pool.len() as u32);
+        self.array_feed(ids, sink);
+    }
+
     /// Assembles vertices of the pool by their ids.
-    pub fn array_feed<S: Assembled>(&mut self, ids: impl Iterator<Item = u32>, sink: &mut S) {
-        let mut out = Output { plan: &self.plan, clipper: &mut self.clipper, sink };
+    pub fn array_feed<S: Assembled>(&mut self, ids: &[u32], sink: &mut S) {
+        let mut out = Output::new(&self.plan, &mut self.clipper, sink);
         self.assembler.feed(ids, &self.pool, &mut out);
     }
 
@@ -176,10 +182,27 @@ impl Pipe {
 
     /// Ends the primitive.
     pub fn array_end<S: Assembled>(&mut self, sink: &mut S) {
-        let mut out = Output { plan: &self.plan, clipper: &mut self.clipper, sink };
+        let mut out = Output::new(&self.plan, &mut self.clipper, sink);
         self.assembler.end(&self.pool, &mut out);
         self.pool.keep(&mut []);
     }
+}
+
+/// What a primitive may hold from the batch before, and a batch.
+const IDS: [u32; 4 + LANES] = {
+    let mut ids = [0; 4 + LANES];
+    let mut i = 0;
+    while i < ids.len() {
+        ids[i] = i as u32;
+        i += 1;
+    }
+    ids
+};
+
+/// The ids from one to before another.
+fn consecutive(from: u32, until: u32) -> &'static [u32] {
+    static CONSECUTIVE: [u32; 4 + LANES] = IDS;
+    CONSECUTIVE.get(from as usize..until as usize).unwrap_or(&[])
 }
 
 /// Runs the plan over a batch.

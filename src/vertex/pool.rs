@@ -8,9 +8,20 @@ use crate::fragment::planes::Layout;
 use crate::limits::MAX_CLIP_PLANES;
 use crate::raster::vertex::{Vertex, Vertices};
 
+/// What decides over most triangles, close together: facing and outcodes are found without touching the rest.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(16))]
+pub struct Place {
+    /// Window position in 1/256 pixel.
+    pub snapped: [i32; 2],
+    /// Outcode.
+    pub outcode: u32,
+}
+
 /// Processed vertices.
 #[derive(Clone, Debug, Default)]
 pub struct Pool {
+    places: Vec<Place>,
     /// Position parts and slots.
     pub vertices: Vertices,
     /// Distances to the user clip planes, `user_stride` for each vertex.
@@ -22,6 +33,7 @@ pub struct Pool {
 impl Pool {
     /// Forgets all vertices and takes the shape of a plan's output.
     pub fn reset(&mut self, plan: &VertexPlan) {
+        self.places.clear();
         self.vertices.clear(plan.layout.stride);
         self.user.clear();
         self.user_stride = plan.uniforms.user_count.min(MAX_CLIP_PLANES);
@@ -37,6 +49,14 @@ impl Pool {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.vertices.head.is_empty()
+    }
+
+    /// What decides over a triangle with these corners.
+    #[inline]
+    #[must_use]
+    pub fn places(&self, ids: [u32; 3]) -> Option<[Place; 3]> {
+        let [a, b, c] = ids.map(|id| self.places.get(id as usize));
+        Some([*a?, *b?, *c?])
     }
 
     /// A vertex.
@@ -66,6 +86,8 @@ impl Pool {
             edge: b.edge[i],
             point_size: b.point_size[i],
         }));
+        let [xs, ys] = &b.snapped;
+        self.places.extend((0..n).map(|i| Place { snapped: [xs[i], ys[i]], outcode: b.outcode[i] }));
         let stride = self.vertices.stride.min(b.out.len());
         if stride > 0 {
             let first = self.vertices.slots.len();
@@ -134,6 +156,8 @@ impl Pool {
         }
         self.vertices.head.clear();
         self.vertices.head.extend_from_slice(&heads[..count]);
+        self.places.clear();
+        self.places.extend(heads[..count].iter().map(|v| Place { snapped: v.snapped, outcode: v.outcode }));
         self.vertices.slots.clear();
         self.vertices.slots.extend_from_slice(&self.kept);
         self.user.clear();

@@ -44,7 +44,7 @@ fn measure(name: &str, state: &State, layout: &Layout) {
             for _ in 0..vertices / 64 {
                 pipe.batch.n = 64;
                 let first = pipe.array_batch();
-                pipe.array_feed(first..first + 64, &mut sink);
+                pipe.array_feed_batch(first, &mut sink);
                 pipe.array_flush();
             }
             pipe.array_end(&mut sink);
