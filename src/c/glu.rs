@@ -238,9 +238,8 @@ pub fn gluNewQuadric() -> GLUquadric {
 }
 
 /// Ends a quadric. (Going out of scope does the same.)
-pub fn gluDeleteQuadric(quadric: GLUquadric) {
-    drop(quadric);
-}
+#[expect(clippy::needless_pass_by_value, reason = "what is taken is gone")]
+pub fn gluDeleteQuadric(_quadric: GLUquadric) {}
 
 /// See [`Quadric::draw_style`](crate::glu::Quadric::draw_style).
 pub fn gluQuadricDrawStyle(quadric: &GLUquadric, style: GLenum) {

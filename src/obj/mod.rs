@@ -80,13 +80,8 @@ impl Obj {
     pub fn parse(content: &[u8], folder: &Path) -> Result<Self, String> {
         let checked = text::check(&String::from_utf8_lossy(content))?;
         let mut obj = Obj { has_tex_coords: checked.has_tex_coords, notes: checked.notes, ..Obj::default() };
-        let options = tobj::LoadOptions {
-            triangulate: true,
-            single_index: true,
-            ignore_points: true,
-            ignore_lines: true,
-            ..Default::default()
-        };
+        let options =
+            tobj::LoadOptions { triangulate: true, single_index: true, ignore_points: true, ignore_lines: true };
         let library = RefCell::new(material::Library::default());
         let (models, materials) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |names| {
             library.borrow_mut().load(folder, names)
