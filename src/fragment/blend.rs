@@ -7,8 +7,9 @@
 //! ```
 
 use super::batch::FragmentBatch;
+use super::pack::whole;
 use super::uniforms::{BlendUniforms, FragFn, FragUniforms, Work};
-use crate::batch::{LANES, Stage, stage};
+use crate::batch::{LANES, stage};
 use crate::enums::*;
 use crate::num::{clamp_f32, clamp01, max_f32, min_f32};
 use crate::texture::batch::Lanes;
@@ -140,26 +141,40 @@ fn factor(f: Factor, c: usize, b: &FragmentBatch, u: &FragUniforms) -> Lanes {
     out
 }
 
-/// Channel `c` of source and framebuffer put together, limited to what the store can hold.
+/// Channel `c` of source and framebuffer put together, in place, limited to what the store can hold.
 #[inline(always)]
-fn combine(b: &FragmentBatch, u: &FragUniforms, c: usize, f: impl Fn(f32, f32, usize) -> f32) -> Lanes {
-    let mut out = [0.0; LANES];
-    let (src, dst) = (&b.tex.previous[c], &b.dst[c]);
+fn combine(b: &mut FragmentBatch, u: &FragUniforms, c: usize, f: impl Fn(f32, f32, usize) -> f32) {
+    let (src, dst) = (&b.tex.previous[c], &mut b.dst[c]);
     // Floats are only freed of NaN.
     let low = if u.scale == 1.0 { -u.limit } else { 0.0 };
     for i in 0..LANES {
-        out[i] = clamp_f32(f(clamp01(src[i]) * u.scale, dst[i], i), low, u.limit);
+        dst[i] = clamp_f32(f(clamp01(src[i]) * u.scale, dst[i], i), low, u.limit);
     }
-    out
+}
+
+/// Blending of packed pixels in one loop: `f` of source and framebuffer in 0..=255, the source's channel and its alpha in
+/// [0, 1]. All are positive, so a sum of products needs a limit above only.
+#[inline(always)]
+fn packed(b: &mut FragmentBatch, or: u32, f: impl Fn(f32, f32, f32, f32) -> f32) {
+    let [red, green, blue, alpha] = &b.tex.previous;
+    for i in 0..LANES {
+        let p = b.packed_dst[i];
+        let a = clamp01(alpha[i]);
+        let channel = |v: f32, shift: u32| {
+            let v = clamp01(v);
+            let d = (p >> shift & 0xFF).cast_signed() as f32;
+            whole(min_f32(f(v * 255.0, d, v, a), 255.0)) << shift
+        };
+        b.packed[i] = channel(red[i], 0) | channel(green[i], 8) | channel(blue[i], 16) | channel(alpha[i], 24) | or;
+    }
 }
 
 stage! {
-    /// Blending with any factors and equation.
+    /// Blending with any factors and equation. Alpha comes last, since factors of the colours read it.
     pub(super) fn BLEND: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
-        let mut out = [[0.0; LANES]; 4];
         for c in 0..4 {
             let half = usize::from(c == 3);
-            out[c] = match u.blend.equation {
+            match u.blend.equation {
                 Equation::Min => combine(b, u, c, |s, d, _| min_f32(s, d)),
                 Equation::Max => combine(b, u, c, |s, d, _| max_f32(s, d)),
                 equation => {
@@ -171,60 +186,38 @@ stage! {
                         _ => combine(b, u, c, |s, d, i| s * s_factor[i] + d * d_factor[i]),
                     }
                 }
-            };
-        }
-        b.dst = out;
-    }
-
-    /// The usual pairs with the source's alpha in one loop a channel: number 0 is SRC_ALPHA, ONE_MINUS_SRC_ALPHA, 1 is
-    /// ONE, ONE_MINUS_SRC_ALPHA, 2 is SRC_ALPHA, ONE. The same sums as in [`BLEND`], without the products by 1.
-    pub(super) fn BLEND_ALPHA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
-        let mut alpha = [0.0; LANES];
-        for i in 0..LANES {
-            alpha[i] = clamp01(b.tex.previous[3][i]);
-        }
-        for c in 0..4 {
-            b.dst[c] = match arg {
-                0 => combine(b, u, c, |s, d, i| s * alpha[i] + d * (1.0 - alpha[i])),
-                1 => combine(b, u, c, |s, d, i| s + d * (1.0 - alpha[i])),
-                _ => combine(b, u, c, |s, d, i| s * alpha[i] + d),
-            };
+            }
         }
     }
 
-    /// ONE, ONE: [`BLEND`] without the products by 1.
-    pub(super) fn BLEND_ADD: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
-        for c in 0..4 {
-            b.dst[c] = combine(b, u, c, |s, d, _| s + d);
-        }
-    }
-
-    /// The product of both colours: number 0 is DST_COLOR, ZERO, 1 is ZERO, SRC_COLOR. [`BLEND`] without the products
-    /// by 0.
-    pub(super) fn BLEND_MULTIPLY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    /// The usual pairs of factors on packed pixels, by number (see [`PACKED_PAIRS`]): what [`BLEND`] between unpacking and
+    /// packing gives, without the products by 0 and 1.
+    pub(super) fn BLEND_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let unit = 1.0 / u.scale;
-        for c in 0..4 {
-            let src = &b.tex.previous[c];
-            b.dst[c] = if arg == 0 {
-                combine(b, u, c, |s, d, _| s * (d * unit))
-            } else {
-                combine(b, u, c, |_, d, i| d * clamp01(src[i]))
-            };
+        match arg {
+            0 => packed(b, u.packed_or, |s, d, _, a| s * a + d * (1.0 - a)),
+            1 => packed(b, u.packed_or, |s, d, _, a| s + d * (1.0 - a)),
+            2 => packed(b, u.packed_or, |s, d, _, a| s * a + d),
+            3 => packed(b, u.packed_or, |s, d, _, _| s + d),
+            4 => packed(b, u.packed_or, |s, d, _, _| s * (d * unit)),
+            _ => packed(b, u.packed_or, |_, d, v, _| d * v),
         }
     }
 }
 
-/// The stage for a pair of factors, and its number.
-pub(super) fn stage_for(blend: &BlendUniforms, general: bool) -> (&'static Stage<FragFn>, u32) {
+/// The pairs of factors that [`BLEND_PACKED`] knows.
+const PACKED_PAIRS: [(Factor, Factor); 6] = [
+    (Factor::SrcAlpha, Factor::OneMinusSrcAlpha),
+    (Factor::One, Factor::OneMinusSrcAlpha),
+    (Factor::SrcAlpha, Factor::One),
+    (Factor::One, Factor::One),
+    (Factor::DstColor, Factor::Zero),
+    (Factor::Zero, Factor::SrcColor),
+];
+
+/// The number of [`BLEND_PACKED`] that does this blending, if there is one.
+pub(super) fn packed_pair(blend: &BlendUniforms) -> Option<u32> {
     let same = blend.src[0] == blend.src[1] && blend.dst[0] == blend.dst[1] && blend.equation == Equation::Add;
-    match (blend.src[0], blend.dst[0]) {
-        _ if general || !same => (&BLEND, 0),
-        (Factor::SrcAlpha, Factor::OneMinusSrcAlpha) => (&BLEND_ALPHA, 0),
-        (Factor::One, Factor::OneMinusSrcAlpha) => (&BLEND_ALPHA, 1),
-        (Factor::SrcAlpha, Factor::One) => (&BLEND_ALPHA, 2),
-        (Factor::One, Factor::One) => (&BLEND_ADD, 0),
-        (Factor::DstColor, Factor::Zero) => (&BLEND_MULTIPLY, 0),
-        (Factor::Zero, Factor::SrcColor) => (&BLEND_MULTIPLY, 1),
-        _ => (&BLEND, 0),
-    }
+    let at = PACKED_PAIRS.iter().position(|pair| *pair == (blend.src[0], blend.dst[0]))?;
+    same.then_some(at as u32)
 }

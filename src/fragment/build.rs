@@ -3,7 +3,7 @@
 //! that of the specification (texturing, colour sum, fog, coverage, alpha, stencil, depth, blending, logic op, masks),
 //! except that stencil and depth tests move to the front where nothing between them and there can tell the difference.
 
-use super::blend::{Equation, Factor, stage_for};
+use super::blend::{BLEND, BLEND_PACKED, Equation, Factor, packed_pair};
 use super::compare::Func;
 use super::interpolate::FIRST;
 use super::planes::{Layout, UnitSlots};
@@ -32,6 +32,15 @@ struct Builder<'a> {
     /// Whether the next stage that interpolates has to compute 1 / D.
     first: bool,
     program: Program,
+}
+
+/// How a program blends.
+#[derive(Clone, Copy)]
+enum Blending {
+    /// By a pair of factors that has a loop of its own.
+    Packed(u32),
+    /// By any factors and equation.
+    Any,
 }
 
 /// What the tests do, decided before any stage is placed.
@@ -457,8 +466,8 @@ impl Builder<'_> {
         })
     }
 
-    /// Blending: its stage and number.
-    fn blending(&mut self) -> Option<(&'static Stage<FragFn>, u32)> {
+    /// Which blending there is.
+    fn blending(&mut self) -> Option<Blending> {
         let general = self.options.general;
         let c = &self.state.color_buffer;
         let blend = BlendUniforms {
@@ -475,16 +484,16 @@ impl Builder<'_> {
             (.., true) => "ONE, ZERO gives the fragment's colour: the framebuffer is not read",
             _ => {
                 let names = [c.blend_src[0], c.blend_dst[0]].map(name);
-                let (stage, arg) = stage_for(&blend, general);
                 self.program.uniforms.blend = blend;
                 self.program.reads_framebuffer = true;
                 self.decide("blending", Fate::Kept, format!("factors {}, {}", names[0], names[1]));
-                return Some((stage, arg));
+                let pair = if general || self.format.float { None } else { packed_pair(&blend) };
+                return Some(pair.map_or(Blending::Any, Blending::Packed));
             }
         };
         self.decide("blending", if general { Fate::Kept } else { Fate::LeftOut }, reason);
         self.program.uniforms.blend = off;
-        general.then(|| stage_for(&off, true))
+        general.then_some(Blending::Any)
     }
 
     /// The logic op's number.
@@ -520,7 +529,7 @@ impl Builder<'_> {
     }
 
     /// Blending, logic op, mask and store.
-    fn store(&mut self, packed: bool, blend: Option<(&'static Stage<FragFn>, u32)>, logic_op: Option<u32>) {
+    fn store(&mut self, packed: bool, blend: Option<Blending>, logic_op: Option<u32>) {
         let masked = self.program.uniforms.color_mask != u32::MAX;
         if masked {
             self.program.reads_framebuffer = true;
@@ -529,9 +538,9 @@ impl Builder<'_> {
             self.decide("colour mask", Fate::LeftOut, "all channels are written");
         }
         if self.format.float {
-            if let Some((stage, arg)) = blend {
+            if blend.is_some() {
                 self.push(&float_store::LOAD_FLOAT, 0);
-                self.push(stage, arg);
+                self.push(&BLEND, 0);
             } else {
                 self.push(&float_store::COPY_FLOAT, 0);
             }
@@ -541,12 +550,15 @@ impl Builder<'_> {
         if blend.is_some() || logic_op.is_some() || masked || self.options.general {
             self.push(&pack::LOAD, 0);
         }
-        if let Some((stage, arg)) = blend {
-            self.push(&pack::UNPACK, 0);
-            self.push(stage, arg);
-            self.push(&pack::PACK_BLENDED, 0);
-        } else if !packed {
-            self.push(&pack::PACK, 0);
+        match blend {
+            Some(Blending::Packed(pair)) => self.push(&BLEND_PACKED, pair),
+            Some(Blending::Any) => {
+                self.push(&pack::UNPACK, 0);
+                self.push(&BLEND, 0);
+                self.push(&pack::PACK_BLENDED, 0);
+            }
+            None if !packed => self.push(&pack::PACK, 0),
+            None => {}
         }
         if let Some(op) = logic_op {
             self.push(&logic_op::LOGIC_OP, op);

@@ -186,7 +186,7 @@ fn narrow<const K: usize>(
         }
         rq
     } else {
-        reciprocals(b, unit.planes, first, piece, dx, dy)
+        reciprocals(&mut b.rw, unit.planes, first, piece, dx, dy)
     };
     for k in 0..K {
         let p = &unit.coords[k];
@@ -222,7 +222,7 @@ fn wide<const K: usize>(
     (dx, dy): (&Chunk, &Chunk),
 ) {
     if first && !unit.has_q {
-        reciprocals(b, unit.planes, true, piece, dx, dy);
+        reciprocals(&mut b.rw, unit.planes, true, piece, dx, dy);
     }
     let mut rq = linear64(&unit.divisor, dx, dy);
     for q in &mut rq {
@@ -274,7 +274,7 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &
         let segment = b.segments[s];
         let Some(unit) = unit::<K>(w, &segment, slots, index) else { continue };
         for piece in pieces(&segment) {
-            let (dx, dy) = positions(b, &segment, unit.planes, piece);
+            let (dx, dy) = positions((&b.dx, &b.dy), &segment, unit.planes, piece);
             if unit.wide {
                 wide(b, &unit, slots, first, derivatives, piece, (&dx, &dy));
             } else {

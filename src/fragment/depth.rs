@@ -56,7 +56,7 @@ stage! {
             let segment = b.segments[s];
             let Some(planes) = w.planes.get(segment.prim as usize) else { continue };
             for piece in pieces(&segment) {
-                let (dx, dy) = positions(b, &segment, planes, piece);
+                let (dx, dy) = positions((&b.dx, &b.dy), &segment, planes, piece);
                 let z = linear64(&planes.z, &dx, &dy);
                 let mut out = [0; CHUNK];
                 for i in 0..CHUNK {

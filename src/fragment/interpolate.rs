@@ -67,7 +67,7 @@ pub(super) fn primitive<'a, const K: usize>(
 /// Makes sure that `rw` holds 1 / D: `first` is whether this stage is the first to need it.
 #[inline(always)]
 pub(super) fn reciprocals(
-    b: &mut FragmentBatch,
+    lanes: &mut Lanes,
     planes: &Planes,
     first: bool,
     piece: Piece,
@@ -76,43 +76,56 @@ pub(super) fn reciprocals(
 ) -> Chunk {
     if first {
         let rw = reciprocal(planes, dx, dy);
-        put(&mut b.rw, piece, &rw);
+        put(lanes, piece, &rw);
         rw
     } else {
-        chunk(&b.rw, piece)
+        chunk(lanes, piece)
     }
 }
 
-/// One row of one primitive that fills the batch: K slots from `slot` on.
+/// The lanes that interpolation reads, apart from those that it writes.
+struct Places<'a> {
+    segments: &'a [Segment],
+    lanes: (&'a Lanes, &'a Lanes),
+    single_row: bool,
+}
+
+/// One row of one primitive that fills the batch.
 #[inline(always)]
-fn row<const K: usize>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; K], first: bool, out: &mut [Lanes; K]) {
-    let (x0, y) = row_origin(&b.segments[0], planes);
+fn row<const K: usize>(
+    segment: &Segment,
+    planes: &Planes,
+    pool: &[Plane; K],
+    first: bool,
+    rw: &mut Lanes,
+    out: &mut [Lanes; K],
+) {
+    let (x0, y) = row_origin(segment, planes);
     let (x0, y) = (x0 as f32, y as f32);
     if first {
         if planes.affine {
-            b.rw = [1.0; LANES];
+            *rw = [1.0; LANES];
         } else {
             let (at, x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
             for i in 0..LANES {
-                b.rw[i] = 1.0 / (at + x * (x0 + IOTA[i]));
+                rw[i] = 1.0 / (at + x * (x0 + IOTA[i]));
             }
         }
     }
     for k in 0..K {
         let p = &pool[k];
         let (at, x) = (p.n0 as f32 + p.ny as f32 * y, p.nx as f32);
+        let (c, min, max) = (p.c, p.min, p.max);
         let out = &mut out[k];
-        if p.min == p.max {
-            *out = [p.max; LANES];
+        if min == max {
+            *out = [max; LANES];
         } else if planes.affine {
             for i in 0..LANES {
-                let n = at + x * (x0 + IOTA[i]);
-                out[i] = clamp_f32(p.c + n, p.min, p.max);
+                out[i] = clamp_f32(c + (at + x * (x0 + IOTA[i])), min, max);
             }
         } else {
             for i in 0..LANES {
-                let n = at + x * (x0 + IOTA[i]);
-                out[i] = clamp_f32(p.c + n * b.rw[i], p.min, p.max);
+                out[i] = clamp_f32(c + (at + x * (x0 + IOTA[i])) * rw[i], min, max);
             }
         }
     }
@@ -121,35 +134,43 @@ fn row<const K: usize>(b: &mut FragmentBatch, planes: &Planes, pool: &[Plane; K]
 /// K slots from `slot` on for all segments.
 #[inline(always)]
 fn slots<const K: usize>(
-    b: &mut FragmentBatch,
+    b: &Places<'_>,
     work: &Work<'_, '_>,
     slot: Option<usize>,
     first: bool,
-    out: impl Fn(&mut FragmentBatch) -> &mut [Lanes; K],
+    rw: &mut Lanes,
+    out: &mut [Lanes; K],
 ) {
     let Some(slot) = slot else { return };
-    if single_row(b)
-        && let Some((planes, pool)) = primitive::<K>(work, &b.segments[0], slot)
+    if b.single_row
+        && let Some(segment) = b.segments.first()
+        && let Some((planes, pool)) = primitive::<K>(work, segment, slot)
         && planes.wide & Planes::WIDE_W == 0
     {
-        let mut lanes = [[0.0; LANES]; K];
-        row(b, planes, pool, first, &mut lanes);
-        *out(b) = lanes;
+        row(segment, planes, pool, first, rw, out);
         return;
     }
-    for s in 0..b.segment_count.min(LANES) {
-        let segment = b.segments[s];
-        let Some((planes, pool)) = primitive::<K>(work, &segment, slot) else { continue };
-        for piece in pieces(&segment) {
-            let (dx, dy) = positions(b, &segment, planes, piece);
-            let rw = reciprocals(b, planes, first, piece, &dx, &dy);
-            let lanes = out(b);
+    for segment in b.segments {
+        let Some((planes, pool)) = primitive::<K>(work, segment, slot) else { continue };
+        for piece in pieces(segment) {
+            let (dx, dy) = positions(b.lanes, segment, planes, piece);
+            let rw = reciprocals(rw, planes, first, piece, &dx, &dy);
             for k in 0..K {
                 let v = value(&pool[k], planes.wide & Planes::WIDE_W != 0, &dx, &dy, &rw);
-                put(&mut lanes[k], piece, &v);
+                put(&mut out[k], piece, &v);
             }
         }
     }
+}
+
+/// [`slots`] with lanes of a batch.
+macro_rules! slots {
+    ($b:expr, $w:expr, $slot:expr, $arg:expr, $out:expr) => {{
+        let single_row = single_row($b);
+        let segments = $b.segments.get(..$b.segment_count).unwrap_or(&[]);
+        let places = Places { segments, lanes: (&$b.dx, &$b.dy), single_row };
+        slots(&places, $w, $slot, $arg & FIRST != 0, &mut $b.rw, $out);
+    }};
 }
 
 /// Bit of a stage's number: the stage is the first that needs 1 / D.
@@ -158,22 +179,21 @@ pub(super) const FIRST: u32 = 1;
 stage! {
     /// The primary colour, as the fragment's colour.
     pub(super) fn COLOR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        slots(b, w, u.layout.color, arg & FIRST != 0, |b| &mut b.tex.previous);
+        slots!(b, w, u.layout.color, arg, &mut b.tex.previous);
     }
 
-    /// The primary colour for texture environments, which may read it at any unit.
+    /// The primary colour for texture environments, which read it by name or as what comes before the first unit.
     pub(super) fn PRIMARY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        slots(b, w, u.layout.color, arg & FIRST != 0, |b| &mut b.tex.primary);
-        b.tex.previous = b.tex.primary;
+        slots!(b, w, u.layout.color, arg, &mut b.tex.primary);
     }
 
     /// The secondary colour.
     pub(super) fn SECONDARY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        slots(b, w, u.layout.secondary, arg & FIRST != 0, |b| &mut b.secondary);
+        slots!(b, w, u.layout.secondary, arg, &mut b.secondary);
     }
 
     /// The fog coordinate.
     pub(super) fn FOG_COORDINATE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        slots(b, w, u.layout.fog, arg & FIRST != 0, |b| std::array::from_mut(&mut b.fog));
+        slots!(b, w, u.layout.fog, arg, std::array::from_mut(&mut b.fog));
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn byte(v: f32) -> u32 {
 
 /// A value in 0..=255 as a byte.
 #[inline(always)]
-fn whole(v: f32) -> u32 {
+pub(super) fn whole(v: f32) -> u32 {
     round_to_int(v).cast_unsigned()
 }
 
@@ -125,8 +125,8 @@ fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, a
             if let Some(packed) = flat {
                 out = [packed | or; CHUNK];
             } else {
-                let (dx, dy) = positions(b, &segment, planes, piece);
-                let rw = reciprocals(b, planes, arg & FIRST != 0, piece, &dx, &dy);
+                let (dx, dy) = positions((&b.dx, &b.dy), &segment, planes, piece);
+                let rw = reciprocals(&mut b.rw, planes, arg & FIRST != 0, piece, &dx, &dy);
                 let wide = planes.wide & Planes::WIDE_W != 0;
                 let v = [
                     value(&pool[0], wide, &dx, &dy, &rw),

@@ -5,6 +5,7 @@
 use super::batch::{FragmentBatch, Segment};
 use super::planes::{Linear, Planes};
 use crate::batch::LANES;
+use crate::texture::batch::Lanes;
 
 /// Lanes of a chunk.
 pub(super) const CHUNK: usize = 8;
@@ -171,7 +172,7 @@ pub(super) fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHU
 
 /// Pixel positions of a piece relative to the primitive's origin.
 #[inline(always)]
-pub(super) fn positions(b: &FragmentBatch, segment: &Segment, planes: &Planes, piece: Piece) -> (Chunk, Chunk) {
+pub(super) fn positions(lanes: (&Lanes, &Lanes), segment: &Segment, planes: &Planes, piece: Piece) -> (Chunk, Chunk) {
     if segment.row {
         let (x, y) = row_origin(segment, planes);
         // Whole numbers below 2^24: the sum is exact.
@@ -182,7 +183,7 @@ pub(super) fn positions(b: &FragmentBatch, segment: &Segment, planes: &Planes, p
         }
         (dx, [y as f32; CHUNK])
     } else {
-        (chunk(&b.dx, piece), chunk(&b.dy, piece))
+        (chunk(lanes.0, piece), chunk(lanes.1, piece))
     }
 }
 
