@@ -165,8 +165,8 @@ impl Recipe {
             return;
         }
         let primary = self.layout.color.map(|slot| (slot, back.unwrap_or(slot), 4));
-        let after = if self.layout.color.is_some() { 4 } else { 0 };
-        let secondary = self.layout.secondary.map(|slot| (slot, back.map_or(slot, |b| b + after), 3));
+        // The back side's primary colour has its place even where only the secondary colour is wanted.
+        let secondary = self.layout.secondary.map(|slot| (slot, back.map_or(slot, |b| b + 4), 3));
         for (to, from, n) in [primary, secondary].into_iter().flatten() {
             let take = |slots| {
                 let slots: &[f32] = slots;

@@ -15,6 +15,7 @@ mod combine;
 mod cube;
 mod env;
 mod errors;
+mod everything;
 mod filter;
 mod fog;
 mod glu;
