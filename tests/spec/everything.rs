@@ -204,7 +204,7 @@ fn random_states_of_all_chapters() {
     let mut random = Random(20_031_030);
     let mut all = Figures::default();
     let mut drawn = 0;
-    for round in 0..150 {
+    for round in 0..200 {
         let scene = random_scene(&mut random);
         let f = compare(&scene, NEAREST);
         drawn += usize::from(f.drawn > 0);
@@ -212,8 +212,10 @@ fn random_states_of_all_chapters() {
             scene.units.iter().map(|u| u.texture.as_ref().map(|t| (t.target, t.wrap, t.lod.min_filter))).collect();
         // Two surfaces that meet, a level's tie or a cube's seam may put a few pixels on the other side.
         let allowed = if is_smooth(&scene) { 4 } else { 40 };
+        // A flat colour on a tie is rounded either way all over a triangle, and the layers above it carry that on.
+        let share = if scene.blend.is_some() && scene.flat { 20 } else { 250 };
         assert!(
-            f.off <= allowed && f.differ <= allowed + f.compared / 250,
+            f.off <= allowed && f.differ <= allowed + f.compared / share,
             "round {round}: {f:?}\ntargets {targets:x?}\nenvs {:?}\nlight {} flat {} fog {:?} blend {:?} depth {:?} alpha {:?} cull {:?} clip {:?}",
             scene.units.iter().map(|u| u.env).collect::<Vec<_>>(),
             scene.vertex.lighting.is_some(),
@@ -227,6 +229,6 @@ fn random_states_of_all_chapters() {
         );
         all.merge(&f);
     }
-    all.print("150 random states of all chapters");
+    all.print("200 random states of all chapters");
     assert!(drawn > 100, "{drawn}");
 }
