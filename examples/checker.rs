@@ -6,6 +6,7 @@
 mod support;
 
 use fixedgl::c::*;
+use std::f32::consts::SQRT_2;
 
 support::port!(
     "checker",
@@ -68,9 +69,9 @@ fn display() {
     glTexCoord2f(0.0, 1.0);
     glVertex3f(1.0, 1.0, 0.0);
     glTexCoord2f(1.0, 1.0);
-    glVertex3f(2.41421, 1.0, -1.41421);
+    glVertex3f(2.41421, 1.0, -SQRT_2);
     glTexCoord2f(1.0, 0.0);
-    glVertex3f(2.41421, -1.0, -1.41421);
+    glVertex3f(2.41421, -1.0, -SQRT_2);
     glEnd();
     glFlush();
     glDisable(GL_TEXTURE_2D);

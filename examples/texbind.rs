@@ -5,6 +5,7 @@
 mod support;
 
 use fixedgl::c::*;
+use std::f32::consts::SQRT_2;
 use support::textures::checks;
 
 support::port!(
@@ -52,6 +53,6 @@ pub(crate) fn draw() {
     glBindTexture(GL_TEXTURE_2D, names[0]);
     square([[-2.0, -1.0, 0.0], [-2.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]]);
     glBindTexture(GL_TEXTURE_2D, names[1]);
-    square([[1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [2.41421, 1.0, -1.41421], [2.41421, -1.0, -1.41421]]);
+    square([[1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [2.41421, 1.0, -SQRT_2], [2.41421, -1.0, -SQRT_2]]);
     glFlush();
 }

@@ -231,9 +231,4 @@ impl Engine {
     pub(crate) fn element_array_buffer_bound(&mut self) -> bool {
         self.client.arrays.element_buffer != 0
     }
-
-    /// Whether a buffer object is bound to `ARRAY_BUFFER`: then pointer commands take an offset.
-    pub(crate) fn array_buffer_bound(&mut self) -> bool {
-        self.client.arrays.array_buffer != 0
-    }
 }

@@ -63,6 +63,7 @@ impl Engine {
         s.enabled.then(|| self.framebuffer.rect(s.x, s.y, s.width, s.height))
     }
 
+    #[expect(clippy::too_many_arguments, reason = "the arguments are GL's")]
     pub(crate) fn read_pixels(
         &mut self,
         x: i32,

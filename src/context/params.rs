@@ -53,22 +53,10 @@ impl Params {
         Self { bits: all, len: values.len().min(4) as u8, integers, scalar: false }
     }
 
-    /// Whether the form was `f`, `i` or `d`: one value, no pointer.
-    #[must_use]
-    pub(crate) fn is_scalar(&self) -> bool {
-        self.scalar
-    }
-
     /// Whether the values are integers.
     #[must_use]
     pub(crate) fn is_int(&self) -> bool {
         self.integers
-    }
-
-    /// How many values there are: as many as the parameter takes.
-    #[must_use]
-    pub(crate) fn len(&self) -> usize {
-        usize::from(self.len)
     }
 
     /// An error for the forms `f`, `i` and `d` of a parameter that takes several values.

@@ -5,8 +5,7 @@ use super::engine::Engine;
 use super::{Params, Pixels, Values};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_value};
-use crate::pixels::{self, ClientImage, ClientTarget, PixelFormat, Transfer};
-use crate::state::pixel::PixelStore;
+use crate::pixels::{ClientImage, ClientTarget, PixelFormat, Transfer};
 
 impl Engine {
     pub(crate) fn pixel_storei(&mut self, pname: GLenum, param: i32) -> Outcome {
@@ -70,25 +69,8 @@ impl Engine {
         Ok(())
     }
 
-    pub(crate) fn unpack_bytes(&mut self, w: i32, h: i32, d: i32, format: GLenum, type_: GLenum) -> usize {
-        bytes(&self.client.pixel_store.unpack, [w, h, d], format, type_)
-    }
-
-    pub(crate) fn pack_bytes(&mut self, w: i32, h: i32, d: i32, format: GLenum, type_: GLenum) -> usize {
-        bytes(&self.client.pixel_store.pack, [w, h, d], format, type_)
-    }
-
     /// The transfer state for colours, depths and indices on their way.
     pub(crate) fn transfer(&self) -> Transfer<'_> {
         Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps }
     }
-}
-
-fn bytes(store: &PixelStore, [w, h, d]: [i32; 3], format: GLenum, type_: GLenum) -> usize {
-    let size = if d == 1 {
-        pixels::image_bytes_2d(store, w, h, format, type_)
-    } else {
-        pixels::image_bytes(store, w, h, d, format, type_)
-    };
-    size.unwrap_or(0)
 }

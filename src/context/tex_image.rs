@@ -235,26 +235,8 @@ impl Engine {
         let client = client_image(pixels, store, dimensions, size, pixel)?;
         let transfer = Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
         let size = size.map(i32::unsigned_abs);
-        let border = border.unsigned_abs();
-        let image = self.reuse_or_make(place, level, internal, dimensions, size, border, client.as_ref(), transfer)?;
-        self.put_image(place, level, image)
-    }
-
-    /// An image from client pixels. Where the old image has the same shape and nobody else holds it, its memory is
-    /// written again instead of new memory: uploading a texture every frame then costs no allocation.
-    #[expect(clippy::too_many_arguments, reason = "an image has that many properties")]
-    fn reuse_or_make(
-        &self,
-        _place: Place,
-        _level: usize,
-        format: &'static InternalFormat,
-        dimensions: Dimensions,
-        size: [u32; 3],
-        border: u32,
-        pixels: Option<&ClientImage<'_>>,
-        transfer: Transfer<'_>,
-    ) -> Outcome<Arc<Image>> {
-        Ok(Arc::new(Image::from_client(format, dimensions, size, border, pixels, transfer)?))
+        let image = Image::from_client(internal, dimensions, size, border.unsigned_abs(), client.as_ref(), transfer)?;
+        self.put_image(place, level, Arc::new(image))
     }
 
     /// Checks a request. A proxy is answered here, and then there is no level to go on with.

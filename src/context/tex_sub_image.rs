@@ -101,6 +101,7 @@ impl Engine {
         self.after_image_change(place, level)
     }
 
+    #[expect(clippy::too_many_arguments, reason = "the arguments are GL's")]
     pub(crate) fn copy_tex_image_1d(
         &mut self,
         target: GLenum,
