@@ -77,6 +77,7 @@ pub fn reshape(fovy: f64, [w, h]: [u32; 2], near: f64, far: f64) {
 }
 
 /// The constants, the entry and the module of helpers that every port has.
+#[allow(unused_macros, reason = "the gallery and the viewer are no ports")]
 macro_rules! port {
     ($name:literal, $size:expr, $caption:literal, $calls:expr) => {
         pub(crate) const NAME: &str = $name;
@@ -92,4 +93,5 @@ macro_rules! port {
         }
     };
 }
+#[allow(unused_imports, reason = "the gallery and the viewer are no ports")]
 pub(crate) use port;

@@ -42,9 +42,9 @@ pub fn noise([x, y, z]: [f64; 3]) -> f64 {
     let cell = [x.floor(), y.floor(), z.floor()];
     let f = [x - cell[0], y - cell[1], z - cell[2]].map(|t| t * t * (3.0 - 2.0 * t));
     let corner = |dx: i64, dy: i64, dz: i64| {
-        let at = (cell[0] as i64 + dx) * 73_856_093
-            ^ (cell[1] as i64 + dy) * 19_349_663
-            ^ (cell[2] as i64 + dz) * 83_492_791;
+        let at = ((cell[0] as i64 + dx) * 73_856_093)
+            ^ ((cell[1] as i64 + dy) * 19_349_663)
+            ^ ((cell[2] as i64 + dz) * 83_492_791);
         f64::from(hash(at as u32) & 0xFFFF) / 65535.0
     };
     let mix = |a: f64, b: f64, t: f64| a + t * (b - a);

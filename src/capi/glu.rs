@@ -1,6 +1,5 @@
 //! The exported `glu*` functions (GLU 1.3) with the signatures of the ordinary header. A `GLUquadric *` of C is a boxed
 //! [`CQuadric`]; images are slices as long as the pixel store says; everything else is the safe GLU.
-#![expect(clippy::too_many_arguments, reason = "the functions are GLU's")]
 
 use super::{current, memory};
 use crate::Context;

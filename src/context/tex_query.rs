@@ -86,6 +86,7 @@ impl Engine {
         }
     }
 
+    #[cfg_attr(not(feature = "capi"), expect(dead_code, reason = "only memory that comes as a pointer is measured"))]
     pub(crate) fn tex_image_bytes(&mut self, target: GLenum, level: i32, format: GLenum, type_: GLenum) -> usize {
         let store = self.client.pixel_store.pack;
         match self.queried_image(target, level) {
@@ -101,6 +102,7 @@ impl Engine {
         }
     }
 
+    #[cfg_attr(not(feature = "capi"), expect(dead_code, reason = "only memory that comes as a pointer is measured"))]
     pub(crate) fn compressed_tex_image_bytes(&mut self, target: GLenum, level: i32) -> usize {
         match self.queried_image(target, level) {
             Ok(Some(image)) => image.compressed.as_ref().map_or(0, Vec::len),
