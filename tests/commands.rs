@@ -227,3 +227,19 @@ fn the_c_names_work_on_the_current_context_of_the_thread() {
     make_current(cx.join().expect("the thread"));
     assert_eq!(glIsEnabled(GL_BLEND), GL_FALSE);
 }
+
+#[test]
+fn a_context_is_send_and_sizes_come_in_any_integer() {
+    fn send<T: Send>(_: &T) {}
+    let mut cx = Context::new(4, 4);
+    send(&cx);
+    let data = [1.0_f32, 2.0, 3.0];
+    cx.bind_buffer(GL_ARRAY_BUFFER, 1);
+    cx.buffer_data(GL_ARRAY_BUFFER, size_of_val(&data), &data, GL_STATIC_DRAW);
+    let mut back = [0.0_f32; 2];
+    cx.get_buffer_sub_data(GL_ARRAY_BUFFER, 4, 8, &mut back);
+    assert_eq!(back, [2.0, 3.0]);
+    assert_eq!(cx.check(), Ok(()));
+    cx.buffer_data(GL_ARRAY_BUFFER, u64::MAX, &data, GL_STATIC_DRAW);
+    assert_eq!(cx.get_error(), GL_INVALID_VALUE);
+}

@@ -15,6 +15,7 @@ macro_rules! c_ty {
     (int) => { i32 };
     (float) => { f32 };
     (bool) => { u8 };
+    (size) => { isize };
     ([$t:ty; $n:literal]) => { *const $t };
     ((slice $t:ty : $($count:tt)*)) => { *const $t };
     ((out $t:ty : $($count:tt)*)) => { *mut $t };

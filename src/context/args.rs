@@ -20,6 +20,18 @@ pub trait IntoFloat {
     fn into_float(self) -> f32;
 }
 
+/// A size or an offset in bytes: whatever integer the program has it in. What does not fit is -1, which no command takes.
+pub trait IntoSize {
+    /// The value as `GLsizeiptr`.
+    fn into_size(self) -> isize;
+}
+
+macro_rules! sizes { ($($t:ty)*) => { $(impl IntoSize for $t {
+    #[inline]
+    fn into_size(self) -> isize { isize::try_from(self).unwrap_or(-1) }
+})* }; }
+sizes!(i32 u32 i64 u64 isize usize);
+
 /// A `GLboolean`: `true`, `GL_TRUE` or any number that is not zero.
 pub trait IntoBool {
     /// Whether the value is not zero.

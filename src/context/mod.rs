@@ -43,7 +43,7 @@ pub(crate) mod trace;
 pub(crate) mod validate;
 pub(crate) mod values;
 
-pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, OutSlice};
+pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, IntoSize, OutSlice};
 pub use config::Config;
 pub use errors::{
     DEBUG_SEVERITY_HIGH, DEBUG_SEVERITY_MEDIUM, DEBUG_SOURCE_API, DEBUG_TYPE_ERROR, DEBUG_TYPE_OTHER, DebugCallback,

@@ -1,11 +1,12 @@
-/* A small program for the C door: OSMesa + GL 1.5 as any C program would use them, linked against the shared library
- * with the ordinary headers. It draws in several formats, asks for state, makes lists, textures and errors, and prints
- * what went wrong; the exit code is the number of failed checks.
- *   cc -Wall -Wextra tests/c/smoke.c -o smoke -L target/release -lfixedgl -Wl,-rpath,target/release
+/* A small program for the C door: OSMesa + GL 1.5 + GLU as any C program would use them, linked against the shared
+ * library with the ordinary headers. It draws in several formats, asks for state, makes lists, textures, mipmaps and
+ * errors, and prints what went wrong; the exit code is the number of failed checks. With a file name as its argument it
+ * writes the picture of a textured sphere there. See the script "run" beside it.
  */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <GL/glu.h>
 #include <GL/osmesa.h>
 #include <math.h>
 #include <stdio.h>
@@ -169,6 +170,69 @@ static void arrays(const GLubyte *picture) {
     CHECK(glGetError() == GL_NO_ERROR);
 }
 
+/* GLU: mipmaps, a camera, a textured and lit sphere. */
+static void sphere(const char *file) {
+    enum { SIZE = 192, TEXELS = 60 };
+    static GLubyte picture[SIZE * SIZE * 4], texels[TEXELS * TEXELS * 3];
+    static const GLfloat light[] = {-2, -4, 4, 1};
+    GLUquadric *quadric = gluNewQuadric();
+    OSMesaContext cx = OSMesaCreateContext(OSMESA_RGBA, NULL);
+    GLint width = 0;
+    GLdouble model[16], projection[16], x, y, z;
+    GLint viewport[4];
+    int i, covered = 0;
+    CHECK(quadric && cx && OSMesaMakeCurrent(cx, picture, GL_UNSIGNED_BYTE, SIZE, SIZE));
+    for (i = 0; i < TEXELS * TEXELS; i++) {
+        int light_square = ((i % TEXELS / 6) ^ (i / TEXELS / 6)) & 1;
+        texels[3 * i] = light_square ? 250 : 40;
+        texels[3 * i + 1] = light_square ? 240 : 60;
+        texels[3 * i + 2] = light_square ? 220 : 140;
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    CHECK(gluBuild2DMipmaps(GL_TEXTURE_2D, 3, TEXELS, TEXELS, GL_RGB, GL_UNSIGNED_BYTE, texels) == 0);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    CHECK(width == 64);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 6, GL_TEXTURE_WIDTH, &width);
+    CHECK(width == 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glMatrixMode(GL_PROJECTION);
+    gluPerspective(40, 1, 1, 10);
+    glMatrixMode(GL_MODELVIEW);
+    gluLookAt(0, -3, 1.5, 0, 0, 0, 0, 0, 1);
+    glGetDoublev(GL_MODELVIEW_MATRIX, model);
+    glGetDoublev(GL_PROJECTION_MATRIX, projection);
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    CHECK(gluProject(0, 0, 0, model, projection, viewport, &x, &y, &z) && fabs(x - SIZE / 2) < 1e-3);
+    glLightfv(GL_LIGHT0, GL_POSITION, light);
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_TEXTURE_2D);
+    glClearColor(0.1f, 0.1f, 0.15f, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gluQuadricTexture(quadric, GL_TRUE);
+    gluSphere(quadric, 1, 48, 24);
+    gluDeleteQuadric(quadric);
+    glFinish();
+    CHECK(glGetError() == GL_NO_ERROR);
+    CHECK(strcmp((const char *)gluErrorString(GL_INVALID_ENUM), "") != 0);
+    for (i = 0; i < SIZE * SIZE; i++) covered += picture[4 * i] != picture[0] || picture[4 * i + 2] != picture[2];
+    /* The silhouette is a circle of about 0.93 times half the window's height: a third of the pixels at least. */
+    CHECK(covered > SIZE * SIZE / 3 && covered < SIZE * SIZE * 4 / 5);
+    if (file) {
+        FILE *f = fopen(file, "wb");
+        CHECK(f != NULL);
+        if (f) {
+            fprintf(f, "P6 %d %d 255\n", SIZE, SIZE);
+            for (y = SIZE - 1; y >= 0; y--)
+                for (i = 0; i < SIZE; i++) fwrite(picture + 4 * ((int)y * SIZE + i), 1, 3, f);
+            fclose(f);
+            printf("picture: %s\n", file);
+        }
+    }
+    OSMesaDestroyContext(cx);
+}
+
 /* Formats, directions of rows and row lengths. */
 static void formats(void) {
     static const struct { GLenum format, type; int bytes, r, g; } rows[] = {
@@ -211,7 +275,7 @@ static void formats(void) {
             }
 }
 
-int main(void) {
+int main(int argc, char **argv) {
     static GLubyte picture[W * H * 4];
     GLint w, h, bytes, format;
     void *buffer;
@@ -238,6 +302,7 @@ int main(void) {
     arrays(picture);
     OSMesaDestroyContext(cx);
     formats();
+    sphere(argc > 1 ? argv[1] : NULL);
     if (failed) fprintf(stderr, "%d checks failed\n", failed);
     else puts("C door: all checks hold");
     return failed;

@@ -67,12 +67,12 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         /// Whether a name is that of a buffer object (section 6.1.13).
         now glIsBuffer | glIsBufferARB is_buffer(buffer: uint) -> bool;
         /// Gives a buffer object its size and content (section 2.9). `OUT_OF_MEMORY` if there is not enough.
-        now glBufferData | glBufferDataARB buffer_data(target: enum, size: isize, data: (bytes size), usage: enum);
+        now glBufferData | glBufferDataARB buffer_data(target: enum, size: size, data: (bytes size), usage: enum);
         /// Replaces a part of a buffer object (section 2.9). `INVALID_VALUE` if it lies outside.
-        now glBufferSubData | glBufferSubDataARB buffer_sub_data(target: enum, offset: isize, size: isize,
+        now glBufferSubData | glBufferSubDataARB buffer_sub_data(target: enum, offset: size, size: size,
             data: (bytes size));
         /// Reads a part of a buffer object (section 6.1.13). `INVALID_VALUE` if it lies outside.
-        now glGetBufferSubData | glGetBufferSubDataARB get_buffer_sub_data(target: enum, offset: isize, size: isize,
+        now glGetBufferSubData | glGetBufferSubDataARB get_buffer_sub_data(target: enum, offset: size, size: size,
             data: (bytes_out size));
         /// Ends the mapping of a buffer object (section 2.9). `INVALID_OPERATION` if it is not mapped.
         now glUnmapBuffer | glUnmapBufferARB unmap_buffer(target: enum) -> bool;

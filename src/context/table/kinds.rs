@@ -10,6 +10,7 @@ macro_rules! door_ty {
     (int) => { impl $crate::context::IntoInt };
     (float) => { impl $crate::context::IntoFloat };
     (bool) => { impl $crate::context::IntoBool };
+    (size) => { impl $crate::context::IntoSize };
     ([$t:ty; $n:literal]) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
     ((slice $t:ty : $($count:tt)*)) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
     ((out $t:ty : $($count:tt)*)) => { &mut (impl $crate::context::OutSlice<$t> + ?Sized) };
@@ -35,6 +36,9 @@ macro_rules! plain {
     };
     (bool, $a:ident) => {
         $crate::context::IntoBool::into_bool($a)
+    };
+    (size, $a:ident) => {
+        $crate::context::IntoSize::into_size($a)
     };
     ([$t:ty; $n:literal], $a:ident) => {
         $crate::context::InSlice::<$t>::slice($a)
@@ -164,6 +168,7 @@ macro_rules! engine_ty {
     (uint) => { u32 };
     (int) => { i32 };
     (float) => { f32 };
+    (size) => { isize };
     ({$t:ty}) => { $t };
     (params) => { &$crate::context::Params };
     (matrix) => { &[f64; 16] };
@@ -189,6 +194,7 @@ macro_rules! owned_ty {
     (uint) => { u32 };
     (int) => { i32 };
     (float) => { f32 };
+    (size) => { isize };
     ({$t:ty}) => { $t };
     (params) => { $crate::context::Params };
     (matrix) => { Box<[f64; 16]> };

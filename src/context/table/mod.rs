@@ -16,7 +16,7 @@
 //! its first argument is a proxy target; `now` is never recorded.
 //!
 //! # Kinds of arguments (see `kinds.rs`)
-//! `enum`, `bits`, `uint`, Rust's scalars, `int`, `float` and `bool` (doors take what C would convert); `[f32; 4]` a vector of
+//! `enum`, `bits`, `uint`, Rust's scalars, `int`, `float`, `bool` and `size` (doors take what C would convert); `[f32; 4]` a vector of
 //! fixed length; `(slice f32: light(pname))` and `(out u32: count(n))` with a count from `counts.rs`; `(rect [w, h],
 //! format, type)` pixels under the unpack state and `(rect_out ..)` under the pack state; `(bytes n)`; `array` a vertex
 //! array; `(indices count, type)`; `{T}`, `params` and `matrix` in canonical rows only.

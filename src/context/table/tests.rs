@@ -36,7 +36,7 @@ macro_rules! argument {
     (i32, $s:ident) => {
         $s.int
     };
-    (isize, $s:ident) => {
+    (size, $s:ident) => {
         $s.int as isize
     };
     (float, $s:ident) => {
