@@ -9,7 +9,6 @@ use crate::error::{GlError, Outcome, invalid_enum};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Params {
     bits: [u32; 4],
-    len: u8,
     integers: bool,
     scalar: bool,
 }
@@ -18,13 +17,13 @@ impl Params {
     /// From the form `f`.
     #[must_use]
     pub(crate) fn float(value: f32) -> Self {
-        Self { bits: [value.to_bits(), 0, 0, 0], len: 1, integers: false, scalar: true }
+        Self { bits: [value.to_bits(), 0, 0, 0], integers: false, scalar: true }
     }
 
     /// From the form `i`.
     #[must_use]
     pub(crate) fn int(value: i32) -> Self {
-        Self { bits: [value as u32, 0, 0, 0], len: 1, integers: true, scalar: true }
+        Self { bits: [value as u32, 0, 0, 0], integers: true, scalar: true }
     }
 
     /// From the form `fv`; at most four values count.
@@ -50,7 +49,7 @@ impl Params {
         for (to, from) in all.iter_mut().zip(values) {
             *to = bits(*from);
         }
-        Self { bits: all, len: values.len().min(4) as u8, integers, scalar: false }
+        Self { bits: all, integers, scalar: false }
     }
 
     /// Whether the values are integers.
