@@ -18,6 +18,8 @@ use crate::limits::MAX_TEXTURE_UNITS;
 const CHUNK_VERTICES: u32 = 4096;
 /// Indices of a chunk.
 const CHUNK_INDICES: usize = 6 * CHUNK_VERTICES as usize;
+/// Indices that are assembled before the scene is asked whether it is full.
+const FEED: usize = 768;
 /// Places of the cache; a vertex has one place, by its index.
 const PLACES: usize = 8192;
 /// Bits of an id of the pool: ids are below [`CHUNK_VERTICES`] plus what a primitive holds.
@@ -246,11 +248,14 @@ impl Engine {
                 pipe.array_batch();
             }
             rest = rest.get(taken * size..).unwrap_or_default();
-            pipe.array_feed(cache.ids.get(..taken).unwrap_or_default(), scene);
-            pipe.array_flush();
-            if scene.is_full() {
-                queries.passed += scene.make_room(framebuffer, config.threads);
+            // A little at a time, so that the scene stays as small as it wants to be.
+            for ids in cache.ids.get(..taken).unwrap_or_default().chunks(FEED) {
+                pipe.array_feed(ids, scene);
+                if scene.is_full() {
+                    queries.passed += scene.make_room(framebuffer, config.threads);
+                }
             }
+            pipe.array_flush();
         }
         pipe.array_end(scene);
         Ok(())

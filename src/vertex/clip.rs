@@ -295,7 +295,7 @@ impl Clipper {
             };
             // A hair beyond the guard band is the rounding of the cut.
             let placed = head.window.iter().take(2).all(|v| v.abs() <= GUARD_BAND + 0.5) && head.window[2].is_finite();
-            if !placed || !(head.clip[3] > 0.0) {
+            if !placed || head.clip[3] <= 0.0 || head.clip[3].is_nan() {
                 return false;
             }
             self.out.head.push(head);

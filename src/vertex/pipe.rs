@@ -4,7 +4,7 @@
 
 use super::Assembled;
 use super::assemble::{Assembler, Output};
-use super::batch::VertexBatch;
+use super::batch::{VertexBatch, needs};
 use super::clip::Clipper;
 use super::plan::{VertexPlan, Wants};
 use super::pool::Pool;
@@ -81,6 +81,9 @@ impl Pipe {
         } else {
             self.plan.build(state, layout, wants);
             self.pool.reset(&self.plan);
+        }
+        if self.plan.needs & needs::EDGE == 0 {
+            self.batch.edge = [true; LANES];
         }
     }
 
