@@ -338,7 +338,7 @@ impl Builder<'_> {
         let mut samplers: Vec<(usize, Sampler)> = Vec::new();
         for (unit, texture) in textures.iter().enumerate() {
             let (Some(texture), Some(unit_state)) = (texture, state.texture.units.get(unit)) else { continue };
-            let sampler = Sampler::build(self.level, texture, unit_state.env.lod_bias, unit);
+            let sampler = Sampler::build_with(self.level, texture, unit_state.env.lod_bias, unit, self.options.general);
             bases[unit] = Some(sampler.base);
             samplers.push((unit, sampler));
         }
@@ -380,7 +380,7 @@ impl Builder<'_> {
         }
         let units: Vec<_> =
             bases.iter().enumerate().map(|(u, base)| Some((&state.texture.units.get(u)?.env, (*base)?))).collect();
-        let environments = EnvPlan::build(self.level, &units);
+        let environments = EnvPlan::build_with(self.level, &units, self.options.general);
         let steps: Vec<_> = environments.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
         self.decide("environments", Fate::Kept, steps.join(", "));
         self.program.environments = Some(environments);

@@ -124,6 +124,12 @@ pub fn direct(channels: u32, source: Source, from_primary: bool) -> u32 {
     channels | source_code(source) << 4 | u32::from(from_primary) << 9
 }
 
+/// Argument of [`ENV_INTERPOLATE`]: as [`direct`], and where the weight comes from in bits 10 to 14, its alpha if bit 15.
+#[must_use]
+pub fn weighted(channels: u32, source: Source, weight: Source, of_alpha: bool, from_primary: bool) -> u32 {
+    direct(channels, source, from_primary) | source_code(weight) << 10 | u32::from(of_alpha) << 15
+}
+
 /// Argument of [`ENV_ARGUMENT`]: half, source, operand in bits 9 and 10, slot in bits 11 and 12.
 #[must_use]
 pub fn argument(channels: u32, slot: usize, argument: Argument) -> u32 {
@@ -155,16 +161,9 @@ fn channels(arg: u32) -> impl Iterator<Item = usize> {
 fn in_place(b: &mut TexBatch, u: &EnvUniforms, arg: u32, f: impl Fn(f32, f32) -> f32) {
     let TexBatch { texel, primary, previous, .. } = b;
     let code = arg >> 4 & 31;
+    let mut constant = [0.0; LANES];
     for c in channels(arg & CHANNELS) {
-        let constant: Lanes;
-        let source = match code {
-            0..8 => &texel[code as usize & 7][c],
-            16 => &primary[c],
-            _ => {
-                constant = [u.colors[code as usize & 7][c]; LANES];
-                &constant
-            }
-        };
+        let source = channel(code, c, texel, primary, u, &mut constant);
         let out = &mut previous[c];
         if arg >> 9 & 1 != 0 {
             for i in 0..LANES {
@@ -174,6 +173,26 @@ fn in_place(b: &mut TexBatch, u: &EnvUniforms, arg: u32, f: impl Fn(f32, f32) ->
             for i in 0..LANES {
                 out[i] = f(source[i], out[i]);
             }
+        }
+    }
+}
+
+/// A channel of a texel, of a constant (spread out in `constant`) or of the primary colour.
+#[inline(always)]
+fn channel<'a>(
+    code: u32,
+    c: usize,
+    texel: &'a [[Lanes; 4]; MAX_TEXTURE_UNITS],
+    primary: &'a [Lanes; 4],
+    u: &EnvUniforms,
+    constant: &'a mut Lanes,
+) -> &'a Lanes {
+    match code {
+        0..8 => &texel[code as usize & 7][c],
+        16 => &primary[c],
+        _ => {
+            *constant = [u.colors[code as usize & 7][c]; LANES];
+            constant
         }
     }
 }
@@ -210,6 +229,26 @@ stage! {
     /// The source plus the colour so far.
     pub fn ENV_ADD: EnvFn = (b: &mut TexBatch, u: &EnvUniforms, arg: u32) {
         in_place(b, u, arg, |source, so_far| min_f32(source + so_far, 1.0));
+    }
+    /// The source and the colour so far, weighted by another source.
+    pub fn ENV_INTERPOLATE: EnvFn = (b: &mut TexBatch, u: &EnvUniforms, arg: u32) {
+        let TexBatch { texel, primary, previous, .. } = b;
+        let (mut of_source, mut of_weight) = ([0.0; LANES], [0.0; LANES]);
+        for c in channels(arg & CHANNELS) {
+            let w = if arg >> 15 & 1 != 0 { 3 } else { c };
+            let source = channel(arg >> 4 & 31, c, texel, primary, u, &mut of_source);
+            let weight = channel(arg >> 10 & 31, w, texel, primary, u, &mut of_weight);
+            let out = &mut previous[c];
+            if arg >> 9 & 1 != 0 {
+                for i in 0..LANES {
+                    out[i] = min_f32(source[i] * weight[i] + primary[c][i] * (1.0 - weight[i]), 1.0);
+                }
+            } else {
+                for i in 0..LANES {
+                    out[i] = min_f32(source[i] * weight[i] + out[i] * (1.0 - weight[i]), 1.0);
+                }
+            }
+        }
     }
     /// Loads an argument: a source seen through an operand.
     pub fn ENV_ARGUMENT: EnvFn = (b: &mut TexBatch, u: &EnvUniforms, arg: u32) {

@@ -5,8 +5,8 @@
 use super::batch::TexBatch;
 use super::combine::{
     ALPHA, Argument, COMBINE_ADD, COMBINE_ADD_SIGNED, COMBINE_DOT3, COMBINE_INTERPOLATE, COMBINE_MODULATE,
-    COMBINE_REPLACE, COMBINE_SUBTRACT, Combine, ENV_ADD, ENV_ARGUMENT, ENV_MODULATE, ENV_REPLACE, EnvFn, EnvUniforms,
-    Function, Half, Operand, RGB, Source, argument, direct, function,
+    COMBINE_REPLACE, COMBINE_SUBTRACT, Combine, ENV_ADD, ENV_ARGUMENT, ENV_INTERPOLATE, ENV_MODULATE, ENV_REPLACE,
+    EnvFn, EnvUniforms, Function, Half, Operand, RGB, Source, argument, direct, function, weighted,
 };
 use super::format::BaseFormat;
 use crate::batch::{Level, Plan, Stage};
@@ -121,19 +121,47 @@ fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
     Combine { rgb, alpha }
 }
 
+/// A stage that reads its sources in place.
+#[derive(Clone, Copy)]
+struct Direct {
+    stage: &'static Stage<EnvFn>,
+    source: Source,
+    /// INTERPOLATE: where the weight comes from, and whether it is an alpha.
+    weight: Option<(Source, bool)>,
+}
+
+impl PartialEq for Direct {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.stage, other.stage) && self.source == other.source && self.weight == other.weight
+    }
+}
+
 impl Half {
-    /// The cheap stage that does what this half does, and the source that it reads, if there is one.
-    fn direct(&self) -> Option<(&'static Stage<EnvFn>, Source)> {
-        if self.scale != 1.0 || self.args[..self.function.arity()].iter().any(|a| a.operand != Operand::Color) {
+    /// The cheap stage that does what this half does, if there is one.
+    fn direct(&self) -> Option<Direct> {
+        let plain = |a: &Argument| a.operand == Operand::Color;
+        let args = &self.args[..self.function.arity()];
+        if self.scale != 1.0 || !args.iter().take(2).all(plain) {
             return None;
         }
-        let [first, second, _] = self.args.map(|a| a.source);
+        let [first, second, third] = self.args.map(|a| a.source);
         let other = if second == Source::Previous { first } else { second };
-        let one_is_previous = first == Source::Previous || second == Source::Previous;
+        let onto_previous = (first == Source::Previous || second == Source::Previous) && other != Source::Previous;
+        let direct = |stage, source| Some(Direct { stage, source, weight: None });
         match self.function {
-            Function::Replace => Some((&ENV_REPLACE, first)),
-            Function::Modulate if one_is_previous && other != Source::Previous => Some((&ENV_MODULATE, other)),
-            Function::Add if one_is_previous && other != Source::Previous => Some((&ENV_ADD, other)),
+            Function::Replace => direct(&ENV_REPLACE, first),
+            Function::Modulate if onto_previous => direct(&ENV_MODULATE, other),
+            Function::Add if onto_previous => direct(&ENV_ADD, other),
+            Function::Interpolate
+                if second == Source::Previous && first != Source::Previous && third != Source::Previous =>
+            {
+                let of_alpha = match self.args[2].operand {
+                    Operand::Color => false,
+                    Operand::Alpha => true,
+                    _ => return None,
+                };
+                Some(Direct { stage: &ENV_INTERPOLATE, source: first, weight: Some((third, of_alpha)) })
+            }
             _ => None,
         }
     }
@@ -157,6 +185,12 @@ impl EnvPlan {
     /// it has run, `previous` holds the colour after the last unit, also when there is none.
     #[must_use]
     pub fn build(level: Level, units: &[Option<(&Env, BaseFormat)>]) -> Self {
+        Self::build_with(level, units, false)
+    }
+
+    /// [`EnvPlan::build`]; with `general` every half goes the general way, which gives the same bits.
+    #[must_use]
+    pub fn build_with(level: Level, units: &[Option<(&Env, BaseFormat)>], general: bool) -> Self {
         let mut this = Self { plan: Plan::new(level), uniforms: EnvUniforms::default() };
         let mut first = true;
         for (unit, entry) in units.iter().enumerate() {
@@ -165,7 +199,7 @@ impl EnvPlan {
                 *color = env.color.map(clamp01);
             }
             let form = combine(env, *base, unit, |t| units.get(t).is_some_and(Option::is_some));
-            this.push(&form, first);
+            this.push(&form, first, general);
             first = false;
         }
         if first {
@@ -175,16 +209,16 @@ impl EnvPlan {
     }
 
     /// Appends the stages of one unit. Of the first unit the colour so far is the primary colour.
-    fn push(&mut self, form: &Combine, first: bool) {
+    fn push(&mut self, form: &Combine, first: bool, general: bool) {
         let of_first = |source| if first && source == Source::Previous { Source::Primary } else { source };
         let dot4 = form.rgb.function == Function::Dot3Rgba;
-        let (rgb, alpha) = (form.rgb.direct(), if dot4 { None } else { form.alpha.direct() });
+        let direct = |half: &Half| if general { None } else { half.direct() };
+        let (rgb, alpha) = (direct(&form.rgb), if dot4 { None } else { direct(&form.alpha) });
         // Both halves the same: one step does both.
-        if let (Some((a, from_a)), Some((b, from_b))) = (rgb, alpha)
-            && std::ptr::eq(a, b)
-            && from_a == from_b
+        if let (Some(a), Some(b)) = (rgb, alpha)
+            && a == b
         {
-            return self.push_direct(a, RGB | ALPHA, from_a, first);
+            return self.push_direct(a, RGB | ALPHA, first);
         }
         // A half that loads arguments reads the other half's channels only before they are written.
         if rgb.is_none() {
@@ -194,25 +228,28 @@ impl EnvPlan {
             self.push_arguments(&form.alpha, ALPHA, of_first);
         }
         match rgb {
-            Some((stage, source)) => self.push_direct(stage, RGB, source, first),
+            Some(direct) => self.push_direct(direct, RGB, first),
             None => {
                 let channels = if dot4 { RGB | ALPHA } else { RGB };
                 self.plan.push(form.rgb.stage(), function(channels, form.rgb.scale, form.alpha.scale));
             }
         }
         match alpha {
-            Some((stage, source)) => self.push_direct(stage, ALPHA, source, first),
+            Some(direct) => self.push_direct(direct, ALPHA, first),
             None if dot4 => {}
             // The dot products are no functions of alpha.
             None => self.plan.push(form.alpha.stage(), function(ALPHA, form.rgb.scale, form.alpha.scale)),
         }
     }
 
-    fn push_direct(&mut self, stage: &'static Stage<EnvFn>, channels: u32, source: Source, first: bool) {
-        match source {
+    fn push_direct(&mut self, Direct { stage, source, weight }: Direct, channels: u32, first: bool) {
+        match (source, weight) {
+            (_, Some((weight, of_alpha))) => {
+                self.plan.push(stage, weighted(channels, source, weight, of_alpha, first));
+            }
             // Nothing to do: the colour stays.
-            Source::Previous if !first => {}
-            Source::Previous => self.plan.push(stage, direct(channels, Source::Primary, true)),
+            (Source::Previous, _) if !first => {}
+            (Source::Previous, _) => self.plan.push(stage, direct(channels, Source::Primary, true)),
             _ => self.plan.push(stage, direct(channels, source, first)),
         }
     }
@@ -241,27 +278,31 @@ mod tests {
     use crate::batch::LANES;
     use BaseFormat::*;
 
-    const P: [f32; 4] = [0.25, 0.5, 0.75, 0.5];
-    const C: [f32; 4] = [0.5, 0.25, 1.0, 0.75];
+    const P: [f32; 4] = [0.1, 0.5, 0.7, 0.45];
+    const C: [f32; 4] = [0.3, 0.25, 1.0, 0.7];
 
     /// The texel as it arrives for a base format.
     fn texel(base: BaseFormat) -> [f32; 4] {
-        base.expand([0.5, 0.125, 0.25, 0.75])
+        base.expand([0.55, 0.12, 0.35, 0.8])
     }
 
-    /// Runs units with the given texels over the primary colour `P` at every SIMD level.
+    /// Runs units with the given texels over the primary colour `P` at every SIMD level, with shortcuts and without.
     fn run(units: &[Option<(&Env, BaseFormat)>], texels: &[[f32; 4]]) -> [f32; 4] {
         let mut results = Level::available().map(|level| {
-            let plan = EnvPlan::build(level, units);
-            let mut b = TexBatch::new();
-            b.n = LANES;
-            b.primary = P.map(|c| [c; LANES]);
-            b.previous = [[f32::NAN; LANES]; 4];
-            for (unit, texel) in texels.iter().enumerate() {
-                b.texel[unit] = texel.map(|c| [c; LANES]);
-            }
-            plan.run(&mut b);
-            b.previous.map(|c| c[LANES - 1])
+            let [shortcuts, general] = [false, true].map(|general| {
+                let plan = EnvPlan::build_with(level, units, general);
+                let mut b = TexBatch::new();
+                b.n = LANES;
+                b.primary = P.map(|c| [c; LANES]);
+                b.previous = [[f32::NAN; LANES]; 4];
+                for (unit, texel) in texels.iter().enumerate() {
+                    b.texel[unit] = texel.map(|c| [c; LANES]);
+                }
+                plan.run(&mut b);
+                b.previous.map(|c| c[LANES - 1])
+            });
+            assert_eq!(shortcuts.map(f32::to_bits), general.map(f32::to_bits), "a shortcut changes bits");
+            shortcuts
         });
         let first = results.next().unwrap();
         for other in results {

@@ -98,6 +98,12 @@ fn is_anisotropic(p: &TexParameters, u: &UnitUniforms) -> bool {
 }
 
 impl Lod {
+    /// Nothing is known beforehand.
+    fn general(p: &TexParameters) -> Self {
+        let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
+        Lod::Varies { mixed: mag != min, linear: min }
+    }
+
     /// Decides from the filters and the limits of lambda: exact conditions only, none that is nearly true.
     fn of(p: &TexParameters, u: &UnitUniforms) -> Self {
         let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
@@ -109,7 +115,7 @@ impl Lod {
         if greatest <= u.magnify_below {
             return Lod::Base { linear: mag };
         }
-        let mixed = mag != min && !(least > u.magnify_below);
+        let mixed = mag != min && least <= u.magnify_below;
         if u.last == 0.0 || !is_mipmap_filter(p.min_filter) {
             return if mixed { Lod::Varies { mixed, linear: min } } else { Lod::Base { linear: min } };
         }
@@ -129,10 +135,17 @@ impl Sampler {
     /// The sampler of a complete texture object whose rings are filled ([`prepare`]), for a unit with this LOD bias.
     #[must_use]
     pub fn build(level: Level, object: &TextureObject, unit_bias: f32, unit: usize) -> Self {
+        Self::build_with(level, object, unit_bias, unit, false)
+    }
+
+    /// [`Sampler::build`]; with `general` nothing is left out that could be: lambda is worked out and levels are chosen
+    /// whatever the limits, and all four channels are filtered. The bits are the same.
+    #[must_use]
+    pub fn build_with(level: Level, object: &TextureObject, unit_bias: f32, unit: usize, general: bool) -> Self {
         let p = &object.parameters;
         let uniforms = UnitUniforms::new(object, unit_bias, unit);
         let dims = dimensions(object.target);
-        let lod = Lod::of(p, &uniforms);
+        let lod = if general { Lod::general(p) } else { Lod::of(p, &uniforms) };
         let image = uniforms.images.first().map(|image| Arc::clone(&image.image));
         let format = image.as_ref().map_or(BaseFormat::Rgba, |image| image.base);
         let depth = format == BaseFormat::Depth;
@@ -141,8 +154,10 @@ impl Sampler {
         let derivatives = matches!(lod, Lod::Varies { .. });
         let base = if depth { shadow::base_format(p.depth_mode) } else { format };
 
-        let mut builder = Builder { plan: Plan::new(level), wraps: p.wrap, dims, cube, compare, base, storage: None };
+        let mut builder =
+            Builder { plan: Plan::new(level), wraps: p.wrap, dims, cube, compare, base, format: base, storage: None };
         builder.storage = image.map(|image| image.format.storage);
+        builder.format = if general { BaseFormat::Rgba } else { base };
         if cube {
             builder.push(if derivatives { &cube::CUBE_FACE_DERIVATIVES } else { &cube::CUBE_FACE }, 0);
         }
@@ -170,7 +185,7 @@ impl Sampler {
                     }
                     builder.push(&anisotropy::COUNT_TAPS, 0);
                     taps = Some(builder.taps(p.min_filter, mixed));
-                } else if uniforms.last > 0.0 {
+                } else if is_mipmap_filter(p.min_filter) {
                     builder.levels(p.min_filter, linear, mixed);
                 } else {
                     if cube {
@@ -230,6 +245,8 @@ struct Builder {
     cube: bool,
     compare: bool,
     base: BaseFormat,
+    /// Which channels are filtered.
+    format: BaseFormat,
     storage: Option<Storage>,
 }
 
@@ -253,7 +270,7 @@ impl Builder {
         let stage = match self.storage {
             Some(Storage::Float) => filter_float::stage(self.dims, linear),
             Some(Storage::Depth) => shadow::stage(self.dims, linear, self.compare),
-            _ if linear => filter::linear(self.dims, self.base),
+            _ if linear => filter::linear(self.dims, self.format),
             _ => filter::nearest(self.dims),
         };
         self.push(stage, flags | shadow::mode(self.base));

@@ -354,6 +354,30 @@ fn lanes_do_not_change_each_other() {
 }
 
 #[test]
+fn limits_of_lambda_change_no_bit_that_they_should_not() {
+    // `sample` compares what is left out for such limits with what is not.
+    let points: Vec<Point> = (0..40)
+        .map(|i| with_lambda(at(i as f32 * 0.31, i as f32 * 0.17, 0.2), f64::from(i) * 0.2 - 2.0, 16.0))
+        .collect();
+    let limits = [-3.0, 0.0, 0.4, 0.5, 0.6, 1.0, 2.3, 4.0, 9.0];
+    for (min, mag) in FILTERS {
+        for aniso in [1.0, 3.0] {
+            for (i, &least) in limits.iter().enumerate() {
+                for &greatest in &limits[i.saturating_sub(1)..] {
+                    let mut o = object(Target::D2, GL_RGB8, [16, 8, 1], 5, |_, l, [i, j, _]| {
+                        [(i * 7 % 13) as f32 / 13.0, (j * 5 % 11) as f32 / 11.0, l as f32 / 7.0, 1.0]
+                    });
+                    (o.parameters.min_filter, o.parameters.mag_filter) = (min, mag);
+                    (o.parameters.min_lod, o.parameters.max_lod) = (least, greatest);
+                    o.parameters.max_anisotropy = aniso;
+                    assert!(sample(&o, &points).iter().flatten().all(|c| (0.0..=1.0).contains(c)));
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn rectangles_count_texels() {
     let mut o = object(Target::Rectangle, GL_LUMINANCE8, [5, 3, 1], 1, |_, _, [i, j, _]| grey(10 * i + 60 * j));
     assert_eq!(red(&o, at(2.5, 1.5, 0.0)), 80.0);

@@ -49,7 +49,8 @@ fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool) -> Scene {
     };
     let mut pool = vec![Plane::default(); layout.count];
     let mut corners = |scale: f64| [r.unit() * scale, r.unit() * scale, r.unit() * scale];
-    let colors: Vec<_> = (0..8).map(|_| plane(corners(0.5))).collect();
+    // Setup limits colours to those of the vertices, which are in 0..1: environments rely on it.
+    let colors: Vec<_> = (0..8).map(|_| Plane { min: 0.0, max: 1.0, ..plane(corners(0.5)) }).collect();
     for (slot, from) in [(layout.color, 0..4), (layout.secondary, 4..7), (layout.fog, 7..8)] {
         let Some(slot) = slot else { continue };
         for (k, from) in from.enumerate() {
