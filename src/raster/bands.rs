@@ -146,7 +146,14 @@ impl<P: Shader> Flush<'_, P> {
                     bits = bits.checked_shr(8 * skip.unsigned_abs()).unwrap_or(0);
                     row += skip;
                 }
-                while bits != 0 && row < rows.end {
+                if rows.end - row < 8 {
+                    // Rows beyond the band are another worker's.
+                    bits &= u64::MAX.checked_shr(64 - 8 * (rows.end - row).clamp(0, 8).unsigned_abs()).unwrap_or(0);
+                }
+                if stipple.is_none() && to.mask(x, row, bits) {
+                    return;
+                }
+                while bits != 0 {
                     let mut byte = bits as u32 & 0xFF;
                     let mut at = x;
                     while byte != 0 {

@@ -6,6 +6,7 @@ use crate::fragment::planes::{Linear, Plane, UnitSlots};
 
 impl Recipe {
     /// Coordinates of a unit: q, periods, and whether f64 is needed.
+    #[inline]
     pub(super) fn unit(
         &self,
         basis: &Basis,
@@ -16,46 +17,93 @@ impl Recipe {
     ) -> bool {
         let UnitSlots { base, count, has_q, period, size, cube } = *slots;
         let Some(out) = out.get_mut(base..base + count + usize::from(has_q)) else { return false };
-        let at = |corner: usize, k: usize| {
-            let slots: &[f32] = values.corner.get(corner).copied().unwrap_or(&[]);
-            f64::from(slots.get(base + k).copied().unwrap_or(0.0))
-        };
-        let (d, r) = if has_q {
-            let q = [0, 1, 2].map(|i| at(i, count));
-            projective(basis, weights, [0, 1, 2].map(|i| [at(i, 0), at(i, 1), at(i, 2)]), q, out)
-        } else {
-            (weights.d, weights.r)
-        };
-        let denominator = if has_q || !weights.affine { denominator_error(basis, &d, r) } else { 0.0 };
-        let mut error = 0.0f64;
-        let mut greatest = 0.0f64;
-        for (plane, (period, size)) in out.iter_mut().take(count).zip(period.into_iter().zip(size)) {
+        if has_q {
+            return projective_unit(basis, weights, slots, values, out);
+        }
+        let d = weights.d;
+        let denominator = if weights.affine { 0.0 } else { weights.bound(d.at, d.x, d.y) };
+        let (mut error, mut greatest) = (0.0f64, if cube { 0.0f64 } else { 1.0 });
+        for (plane, size) in out.iter().take(count).zip(size) {
             let spread = f64::from(plane.max) - f64::from(plane.min);
-            let texels = if cube { f64::from(size) * 0.5 } else { f64::from(size) };
-            let part = texels * (numerator_error(basis, plane, r) + denominator * spread);
-            error = error.max(part);
-            greatest = greatest.max(f64::from(plane.max).abs()).max(f64::from(plane.min).abs());
+            let terms = weights.bound(plane.n0, plane.nx, plane.ny) + denominator * spread;
+            let terms = terms * f64::from(size);
+            error = if terms > error { terms } else { error };
+            if cube {
+                greatest = greatest.max(f64::from(plane.max).abs()).max(f64::from(plane.min).abs());
+            }
+        }
+        // Most primitives are far from the limit, which a bound without divisions shows.
+        let narrow = error <= LIMIT * weights.far * greatest;
+        let wide = !narrow && wide(basis, slots, &d, weights.r, weights.affine, out);
+        for (plane, period) in out.iter_mut().zip(period).take(count) {
             take_period_off(plane, period);
         }
-        if cube && greatest > 0.0 {
-            error /= greatest;
-        }
-        // An f32 evaluation is off by about 2^-23 of the terms it adds; 2^-11 texel is what may be lost.
-        error.is_nan() || error > 4096.0
+        wide
     }
 }
 
+/// An f32 evaluation is off by about 2^-23 of the terms it adds, in texels; 2^-11 texel is what may be lost.
+const LIMIT: f64 = 4096.0;
+
+/// Coordinates of a unit with q.
+fn projective_unit(basis: &Basis, weights: &Weights, slots: &UnitSlots, values: &Values, out: &mut [Plane]) -> bool {
+    let UnitSlots { base, count, period, .. } = *slots;
+    let at = |corner: usize, k: usize| {
+        let slots: &[f32] = values.corner.get(corner).copied().unwrap_or(&[]);
+        f64::from(slots.get(base + k).copied().unwrap_or(0.0))
+    };
+    let q = [0, 1, 2].map(|i| at(i, count));
+    let (d, r) = projective(basis, weights, [0, 1, 2].map(|i| [at(i, 0), at(i, 1), at(i, 2)]), q, out);
+    let wide = wide(basis, slots, &d, r, false, out);
+    for (plane, period) in out.iter_mut().zip(period).take(count) {
+        take_period_off(plane, period);
+    }
+    wide
+}
+
+/// Whether f32 is not enough at one of the corners, where quotients of linear functions have their extremes.
+fn wide(basis: &Basis, slots: &UnitSlots, d: &Linear, r: [f64; 3], affine: bool, out: &[Plane]) -> bool {
+    let denominator = if affine { 0.0 } else { denominator_error(basis, d, r) };
+    let (mut error, mut greatest) = (0.0f64, 0.0f64);
+    for (plane, size) in out.iter().take(slots.count).zip(slots.size) {
+        let spread = f64::from(plane.max) - f64::from(plane.min);
+        let texels = if slots.cube { f64::from(size) * 0.5 } else { f64::from(size) };
+        error = error.max(texels * (numerator_error(basis, plane, r) + denominator * spread));
+        greatest = greatest.max(f64::from(plane.max).abs()).max(f64::from(plane.min).abs());
+    }
+    if slots.cube && greatest > 0.0 {
+        error /= greatest;
+    }
+    error.is_nan() || error > LIMIT
+}
+
+/// The largest whole number that is not above a number that came from an f32.
+#[inline(always)]
+fn floor(x: f64) -> f64 {
+    const MAGIC: f64 = 6_755_399_441_055_744.0;
+    if x.abs() >= 16_777_216.0 {
+        // Floats from 2^24 on are whole, and even.
+        return x;
+    }
+    let r = (x + MAGIC) - MAGIC;
+    r - if r > x { 1.0 } else { 0.0 }
+}
+
 /// Takes whole periods off a plane, so that its values are near 0.
+#[inline(always)]
 fn take_period_off(plane: &mut Plane, period: u8) {
     let c = f64::from(plane.c);
     let whole = match period {
-        1 => c.floor(),
-        2 => (c * 0.5).floor() * 2.0,
-        _ => return,
+        0 => return,
+        1 => floor(c),
+        _ if c.abs() >= 16_777_216.0 => c,
+        _ => floor(c * 0.5) * 2.0,
     };
-    plane.c = (c - whole) as f32;
-    plane.min = (f64::from(plane.min) - whole) as f32;
-    plane.max = (f64::from(plane.max) - whole) as f32;
+    if whole != 0.0 {
+        plane.c = (c - whole) as f32;
+        plane.min = (f64::from(plane.min) - whole) as f32;
+        plane.max = (f64::from(plane.max) - whole) as f32;
+    }
 }
 
 /// How large, against the value at the corners, the terms of a denominator become.

@@ -110,6 +110,64 @@ impl Emitter {
         }
     }
 
+    /// Appends the pixels of a mask of 8 by 8 whose rows are runs without gaps; false, and nothing done, where there is no
+    /// room, a pixel is in the batch already, or fragments carry coverage: then the rows must be appended one by one.
+    #[inline]
+    pub fn mask(&mut self, x: i32, y: i32, bits: u64) -> bool {
+        let b = &mut *self.batch;
+        let start = b.tex.n;
+        // Rows are written eight lanes at a time, so that many must be free behind the last one.
+        let count = bits.count_ones() as usize;
+        if start + count > self.cut.min(LANES - 8) || self.smooth {
+            return false;
+        }
+        let turn = x as u32 & 63;
+        let mut rest = bits;
+        let mut row = y as usize;
+        while rest != 0 && self.ordered {
+            if self.seen[row & 63] & (rest & 0xFF).rotate_left(turn) != 0 {
+                return false;
+            }
+            rest >>= 8;
+            row += 1;
+        }
+        let mut n = start;
+        let mut rest = bits;
+        let mut y = y;
+        let mut first = self.base.wrapping_add(self.step.wrapping_mul(y as u32)).wrapping_add(x as u32);
+        let dx = x.wrapping_sub(self.origin[0]);
+        while rest != 0 {
+            let byte = rest as u32 & 0xFF;
+            if byte != 0 {
+                self.seen[y as usize & 63] |= u64::from(byte).rotate_left(turn);
+                let skip = byte.trailing_zeros();
+                let len = (byte >> skip).trailing_ones();
+                let offset = first.wrapping_add(skip);
+                let (dx, dy) = (dx.wrapping_add(skip as i32) as f32, y.wrapping_sub(self.origin[1]) as f32);
+                let offsets = b.offset.get_mut(n..).and_then(|l| l.first_chunk_mut::<8>());
+                let dxs = b.dx.get_mut(n..).and_then(|l| l.first_chunk_mut::<8>());
+                let dys = b.dy.get_mut(n..).and_then(|l| l.first_chunk_mut::<8>());
+                let (Some(offsets), Some(dxs), Some(dys)) = (offsets, dxs, dys) else { return false };
+                for i in 0..8 {
+                    offsets[i] = offset.wrapping_add(i as u32);
+                    dxs[i] = dx + i as f32;
+                    dys[i] = dy;
+                }
+                n += len as usize;
+            }
+            rest >>= 8;
+            y = y.wrapping_add(1);
+            first = first.wrapping_add(self.step);
+        }
+        b.tex.n = n;
+        if let Some(segment) = b.segments.get_mut(b.segment_count) {
+            let (start, len) = (start as u32, (n - start) as u32);
+            *segment = Segment { prim: self.prim, start, len, x, y, offset: first, row: false };
+            b.segment_count += 1;
+        }
+        true
+    }
+
     /// Appends the pixels of a row where a stipple has a bit: bit 31 belongs to the columns that 32 divides.
     pub fn stippled(&mut self, x: i32, y: i32, len: i32, row: u32, coverage: f32, sink: &mut impl Sink) {
         let mut at = x;

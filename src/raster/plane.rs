@@ -73,52 +73,116 @@ pub(super) struct Weights {
     pub d: Linear,
     pub affine: bool,
     pub r: [f64; 3],
+    /// The least of r.
+    pub far: f64,
+    /// How far corners are from the origin in x and in y.
+    pub reach: [f64; 2],
     b1: Linear,
     b2: Linear,
     /// 1 / D at the origin, or 0 where D is not of the size it has in the primitive.
     scale: f64,
 }
 
+/// The least and the greatest of three.
+#[inline(always)]
+fn range<T: PartialOrd + Copy>([a, b, c]: [T; 3]) -> (T, T) {
+    let (low, high) = if b < a { (b, a) } else { (a, b) };
+    (if c < low { c } else { low }, if c > high { c } else { high })
+}
+
 impl Weights {
+    #[inline]
     fn new(basis: &Basis, w: [f64; 3]) -> Self {
         let [b1, b2] = basis.b;
-        let least = w[0].min(w[1]).min(w[2]);
+        let [p0, p1, p2] = basis.corner;
+        let reach =
+            [range([p0[0].abs(), p1[0].abs(), p2[0].abs()]).1, range([p0[1].abs(), p1[1].abs(), p2[1].abs()]).1];
+        let least = range(w).0;
         let affine = (w[0] == w[1] && w[1] == w[2]) || !(least > 0.0 && w[0] + w[1] + w[2] < f64::INFINITY);
         if affine {
             let d = Linear { at: 1.0, x: 0.0, y: 0.0 };
-            return Self { d, affine, r: [1.0; 3], b1, b2, scale: 1.0 };
+            return Self { d, affine, r: [1.0; 3], far: 1.0, reach, b1, b2, scale: 1.0 };
         }
-        let r = w.map(|w| least / w);
+        let r = [least / w[0], least / w[1], least / w[2]];
         let d = basis.linear(r);
-        let far = r[0].min(r[1]).min(r[2]);
+        let far = range(r).0;
         let scale = if d.at >= 0.5 * far && d.at <= 2.0 { 1.0 / d.at } else { 0.0 };
         let times = |k: f64, b: Linear| Linear { at: k * b.at, x: k * b.x, y: k * b.y };
-        Self { d, affine, r, b1: times(r[1], b1), b2: times(r[2], b2), scale }
+        Self { d, affine, r, far, reach, b1: times(r[1], b1), b2: times(r[2], b2), scale }
     }
 
-    /// The planes of a run of slots. One loop without branches on the values.
+    /// The sum of a linear function's terms is nowhere in the primitive greater than this.
     #[inline]
-    fn span(&self, f: [&[f32]; 3], out: &mut [Plane]) {
+    pub fn bound(&self, at: f64, x: f64, y: f64) -> f64 {
+        at.abs() + x.abs() * self.reach[0] + y.abs() * self.reach[1]
+    }
+
+    /// The planes of N slots: loops over arrays, without branches on the values.
+    #[inline(always)]
+    fn chunk<const N: usize>(&self, f0: &[f32; N], f1: &[f32; N], f2: &[f32; N]) -> [Plane; N] {
         let Self { d, b1, b2, scale, .. } = self;
-        for (((&f0, &f1), &f2), plane) in f[0].iter().zip(f[1]).zip(f[2]).zip(out) {
-            let base = f64::from(f0);
-            let (g1, g2) = (f64::from(f1) - base, f64::from(f2) - base);
+        let (mut n0, mut nx, mut ny) = ([0.0; N], [0.0; N], [0.0; N]);
+        let (mut c, mut min, mut max) = ([0.0; N], [0.0; N], [0.0; N]);
+        let mut check = 0.0;
+        for i in 0..N {
+            let base = f64::from(f0[i]);
+            let (g1, g2) = (f64::from(f1[i]) - base, f64::from(f2[i]) - base);
             let at = g1 * b1.at + g2 * b2.at;
             let x = g1 * b1.x + g2 * b2.x;
             let y = g1 * b1.y + g2 * b2.y;
-            let low = if f1 < f0 { f1 } else { f0 };
-            let min = if f2 < low { f2 } else { low };
-            let high = if f1 > f0 { f1 } else { f0 };
-            let max = if f2 > high { f2 } else { high };
+            (min[i], max[i]) = range([f0[i], f1[i], f2[i]]);
             let here = (base + at * scale) as f32;
-            let here = if here < min { min } else { here };
-            let c = if here > max { max } else { here };
-            let delta = f64::from(c) - base;
-            let n = [at - delta * d.at, x - delta * d.x, y - delta * d.y];
-            *plane = Plane { c, min, max, n0: n[0], nx: n[1], ny: n[2] };
-            if !(n[0] + n[1] + n[2]).is_finite() {
-                *plane = constant(if f0.is_finite() { f0 } else { 0.0 });
-            }
+            let here = if here < min[i] { min[i] } else { here };
+            c[i] = if here > max[i] { max[i] } else { here };
+            let delta = f64::from(c[i]) - base;
+            n0[i] = at - delta * d.at;
+            nx[i] = x - delta * d.x;
+            ny[i] = y - delta * d.y;
+        }
+        for i in 0..N {
+            // 0 for numbers, NaN for all else.
+            check += (n0[i] + nx[i] + ny[i]) * 0.0;
+        }
+        let mut out = [Plane::default(); N];
+        for i in 0..N {
+            out[i] = Plane { c: c[i], min: min[i], max: max[i], n0: n0[i], nx: nx[i], ny: ny[i] };
+        }
+        if check != 0.0 {
+            replace_odd(&mut out, f0);
+        }
+        out
+    }
+
+    /// Hands on the planes of a run of slots, a few at a time.
+    #[inline]
+    fn span(&self, f: [&[f32]; 3], mut put: impl FnMut(&[Plane])) {
+        let [mut f0, mut f1, mut f2] = f;
+        while let (Some((a, ra)), Some((b, rb)), Some((c, rc))) =
+            (f0.split_first_chunk::<4>(), f1.split_first_chunk::<4>(), f2.split_first_chunk::<4>())
+        {
+            put(&self.chunk(a, b, c));
+            (f0, f1, f2) = (ra, rb, rc);
+        }
+        if let (Some((a, ra)), Some((b, rb)), Some((c, rc))) =
+            (f0.split_first_chunk::<2>(), f1.split_first_chunk::<2>(), f2.split_first_chunk::<2>())
+        {
+            put(&self.chunk(a, b, c));
+            (f0, f1, f2) = (ra, rb, rc);
+        }
+        if let (Some((a, _)), Some((b, _)), Some((c, _))) =
+            (f0.split_first_chunk::<1>(), f1.split_first_chunk::<1>(), f2.split_first_chunk::<1>())
+        {
+            put(&self.chunk(a, b, c));
+        }
+    }
+}
+
+/// Puts constants in the place of planes that are not finite.
+#[cold]
+fn replace_odd(planes: &mut [Plane], values: &[f32]) {
+    for (plane, value) in planes.iter_mut().zip(values) {
+        if !(plane.n0 + plane.nx + plane.ny).is_finite() {
+            *plane = constant(if value.is_finite() { *value } else { 0.0 });
         }
     }
 }
@@ -139,16 +203,24 @@ impl Recipe {
 
     /// Appends the planes of a primitive's slots to the pool and says the rest in `planes` (whose origin and z are the
     /// caller's). Slots that a vertex lacks become 0.
+    #[inline]
     pub fn planes(&self, basis: &Basis, values: &Values, planes: &mut Planes, pool: &mut Vec<Plane>) {
         let weights = Weights::new(basis, values.w);
-        let first = pool.len();
-        planes.first = u32::try_from(first).unwrap_or(u32::MAX);
+        let (first, count) = (pool.len(), self.layout.count);
+        planes.first = first as u32;
         (planes.d, planes.affine, planes.wide) = (weights.d, weights.affine, 0);
-        pool.resize(first + self.layout.count, Plane::default());
+        let [f0, f1, f2] = values.corner;
+        if let (Some(f0), Some(f1), Some(f2)) = (f0.get(..count), f1.get(..count), f2.get(..count)) {
+            weights.span([f0, f1, f2], |planes| pool.extend_from_slice(planes));
+        } else {
+            pool.resize(first + count, Plane::default());
+        }
         let Some(out) = pool.get_mut(first..) else { return };
-        weights.span(values.corner.map(|slots| slots.get(..self.layout.count).unwrap_or(&[])), out);
         self.colors(&weights, values, out);
-        if !weights.affine && super::coordinate::denominator_error(basis, &weights.d, weights.r) > 2048.0 {
+        let d = weights.d;
+        if weights.bound(d.at, d.x, d.y) > 2048.0 * weights.far
+            && super::coordinate::denominator_error(basis, &d, weights.r) > 2048.0
+        {
             planes.wide |= Planes::WIDE_W;
         }
         for (unit, slots) in &self.units {
@@ -173,9 +245,13 @@ impl Recipe {
                 slots.get(from..from + n).unwrap_or(&[])
             };
             let corners = if self.flat { [values.provoking; 3] } else { values.corner };
-            if let Some(out) = out.get_mut(to..to + n) {
-                weights.span(corners.map(take), out);
-            }
+            let mut at = to;
+            weights.span(corners.map(take), |planes| {
+                if let Some(out) = out.get_mut(at..at + planes.len()) {
+                    out.copy_from_slice(planes);
+                }
+                at += planes.len();
+            });
         }
     }
 }

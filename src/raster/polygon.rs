@@ -68,34 +68,23 @@ impl Edges {
         edges
     }
 
-    /// The covered pixels of a rectangle of at most 8 by 8, a byte a row from below, the low bit leftmost.
+    /// The covered pixels of a rectangle of at most 8 by 8, a byte a row from below, the low bit leftmost. The
+    /// rectangle must be the triangle's bounding box.
     #[inline]
     #[must_use]
     pub fn mask(&self) -> u64 {
-        // Eight rows at once, column by column: the loop over rows is the one that becomes vector code. Values are far
-        // below 2^31 here, since the triangle is hardly larger than the rectangle.
-        let mut e = [[0i32; 8]; 3];
-        for (k, e) in e.iter_mut().enumerate() {
-            for (row, e) in (0..).zip(e) {
-                *e = (self.c[k] as i32).wrapping_add(self.b[k].wrapping_mul(row));
-            }
+        let (width, height) = (self.rect.x1 - self.rect.x0, self.rect.y1 - self.rect.y0);
+        let c = self.c.map(|c| c as i32);
+        let low = half_mask(self.a, self.b, c, height);
+        if width <= 4 {
+            // What was computed beyond the width is outside of the triangle.
+            return low;
         }
-        let mut rows = [0u32; 8];
-        for column in 0..(self.rect.x1 - self.rect.x0).clamp(0, 8) {
-            for row in 0..8 {
-                let outside = (e[0][row] | e[1][row] | e[2][row]) as u32 >> 31;
-                rows[row] |= (outside ^ 1) << column;
-                e[0][row] = e[0][row].wrapping_add(self.a[0]);
-                e[1][row] = e[1][row].wrapping_add(self.a[1]);
-                e[2][row] = e[2][row].wrapping_add(self.a[2]);
-            }
+        let mut right = c;
+        for (c, a) in right.iter_mut().zip(self.a) {
+            *c = c.wrapping_add(a.wrapping_mul(4));
         }
-        let mut mask = 0;
-        for (row, bits) in (0..).zip(rows) {
-            mask |= u64::from(bits) << (8 * row);
-        }
-        let height = (self.rect.y1 - self.rect.y0).clamp(0, 8);
-        mask & u64::MAX.checked_shr(64 - 8 * height.unsigned_abs()).unwrap_or(0)
+        low | half_mask(self.a, self.b, right, height) << 4
     }
 
     /// Calls `run(x, y, length)` for the covered pixels of each row in `rows`, from below.
@@ -117,6 +106,34 @@ impl Edges {
             }
         }
     }
+}
+
+/// Four columns of a mask: bit i of byte j is set where all three functions are not negative at (i, j).
+///
+/// The four values of a row are the 16-bit digits of a u64, each with 2^15 added, so that a digit's top bit says "not
+/// negative". Adding b to all digits is one wrapping addition, right as long as no digit leaves 0..2^16: within 8 by 8
+/// pixels |E| / 256 is at most the area of the square that holds them, in 1/256 pixel over 256, which is below 23,700.
+#[inline]
+fn half_mask(a: [i32; 3], b: [i32; 3], c: [i32; 3], height: i32) -> u64 {
+    const ONES: u64 = 0x0001_0001_0001_0001;
+    const COUNT: u64 = 0x0003_0002_0001_0000;
+    const TOP: u64 = 0x8000_8000_8000_8000;
+    // Multiplied with digits of 0 or 1, gathers them in bits 48 to 51.
+    const GATHER: u64 = (1 << 48) | (1 << 33) | (1 << 18) | (1 << 3);
+    let row = |k: usize| {
+        let start = (i64::from(c[k]) + 0x8000) as u64;
+        start.wrapping_mul(ONES).wrapping_add((i64::from(a[k]) as u64).wrapping_mul(COUNT))
+    };
+    let up = |k: usize| (i64::from(b[k]) as u64).wrapping_mul(ONES);
+    let (mut e0, mut e1, mut e2) = (row(0), row(1), row(2));
+    let (b0, b1, b2) = (up(0), up(1), up(2));
+    let mut mask = 0;
+    for j in 0..height.clamp(0, 8) {
+        let inside = (e0 & e1 & e2 & TOP) >> 15;
+        mask |= (inside.wrapping_mul(GATHER) >> 48 & 15) << (8 * j);
+        (e0, e1, e2) = (e0.wrapping_add(b0), e1.wrapping_add(b1), e2.wrapping_add(b2));
+    }
+    mask
 }
 
 /// Where an edge crosses the rows, one row after the other: the quotient of E by |a|, kept exact with its remainder.

@@ -39,43 +39,48 @@ pub(super) struct Triangle<'a> {
     pub edges: [bool; 3],
 }
 
-/// Where a triangle's values are taken: the origin pixel, and the weights by snapped and by unsnapped positions.
-struct Place {
-    origin: [i32; 2],
-    snapped: Basis,
-    basis: Basis,
+/// The origin pixel of a triangle.
+#[inline]
+fn origin(v: &[&Vertex; 3]) -> [i32; 2] {
+    let [a, b, c] = v.map(|v| v.clip[3]);
+    let most = if b > a { b } else { a };
+    let most = if c > most { c } else { most };
+    // Where w varies much, 1/w is small and sensitive at the far end: take that as the origin, so that what is added to
+    // it there is small too.
+    if most > 2.0 * a || most > 2.0 * b || most > 2.0 * c {
+        return v.iter().find(|v| v.clip[3] == most).map_or(v[0].snapped, |v| v.snapped).map(|x| x >> 8);
+    }
+    [0, 1].map(|k: usize| (v[0].snapped[k] + v[1].snapped[k] + v[2].snapped[k]).div_euclid(3 * 256))
 }
 
-impl Place {
-    fn new(v: [&Vertex; 3], area: i64) -> Self {
-        let [a, b, c] = v;
-        let p = [a.snapped, b.snapped, c.snapped];
-        let least = a.clip[3].min(b.clip[3]).min(c.clip[3]);
-        let most = a.clip[3].max(b.clip[3]).max(c.clip[3]);
-        // Where w varies much, 1/w is small and sensitive at the far end: take that as the origin, so that what is added
-        // to it there is small too.
-        let origin = if most > 2.0 * least {
-            let far = v.iter().find(|v| v.clip[3] == most).map_or(p[0], |v| v.snapped);
-            far.map(|x| x >> 8)
-        } else {
-            [0, 1].map(|k: usize| (p[0][k] + p[1][k] + p[2][k]).div_euclid(3 * 256))
-        };
-        let snapped_det = area as f64 * (1.0 / 65536.0);
-        let snapped = Basis::triangle(p.map(|p| relative_snapped(p, origin)), snapped_det);
-        let corner = v.map(|v| relative(v.window, origin));
-        let [[x0, y0], [x1, y1], [x2, y2]] = corner;
-        let det = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
-        // Slivers whose true area has little to do with the one that is drawn: values would leave their range.
-        let ratio = det / snapped_det;
-        let basis = if ratio > 0.5 && ratio < 2.0 { Basis::triangle(corner, det) } else { snapped };
-        Self { origin, snapped, basis }
+/// The weights of the corners, from the unsnapped positions where their area is about that of the snapped ones.
+#[inline]
+fn basis(v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64) -> Basis {
+    let corner = v.map(|v| relative(v.window, origin));
+    let [[x0, y0], [x1, y1], [x2, y2]] = corner;
+    let det = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
+    // In slivers the true area may have little to do with the one that is drawn: values would leave their range.
+    let ratio = det * snapped_det;
+    let square = snapped_det * snapped_det;
+    if ratio > 0.5 * square && ratio < 2.0 * square {
+        Basis::triangle(corner, det)
+    } else {
+        Basis::triangle(v.map(|v| relative_snapped(v.snapped, origin)), snapped_det)
     }
 }
 
-/// The depth of a triangle in units of the depth buffer, with the offset of its mode.
-pub(super) fn depth(cx: &Context, snapped: &Basis, z: [f64; 3], mode: Mode) -> (Linear, f64) {
+/// The depth of a triangle in units of the depth buffer, from its snapped positions, with the offset of its mode; and that
+/// offset.
+#[inline]
+fn depth(cx: &Context, v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64, mode: Mode) -> (Linear, f64) {
     let scale = cx.rs.depth_scale;
-    let mut plane = finite(snapped.linear(z.map(|z| z * scale)));
+    let [z0, z1, z2] = v.map(|v| v.window[2] * scale);
+    let edge = |i: usize, k: usize| f64::from(v[i].snapped[k] - v[0].snapped[k]) * (1.0 / 256.0);
+    let (dz1, dz2, inv) = (z1 - z0, z2 - z0, 1.0 / snapped_det);
+    let x = (dz1 * edge(2, 1) - dz2 * edge(1, 1)) * inv;
+    let y = (dz2 * edge(1, 0) - dz1 * edge(2, 0)) * inv;
+    let [x0, y0] = relative_snapped(v[0].snapped, origin);
+    let mut plane = finite(Linear { at: z0 - (x0 * x + y0 * y), x, y });
     let mut offset = 0.0;
     if cx.rs.offset[mode as usize] {
         let slope = plane.x.abs().max(plane.y.abs());
@@ -85,6 +90,12 @@ pub(super) fn depth(cx: &Context, snapped: &Basis, z: [f64; 3], mode: Mode) -> (
         plane.at += offset;
     }
     (plane, offset)
+}
+
+/// Twice the area in pixels of a triangle whose area is given in units of the grid.
+#[inline]
+fn pixels(area: i64) -> f64 {
+    area as f64 * (1.0 / 65536.0)
 }
 
 impl Geometry {
@@ -138,13 +149,15 @@ impl Geometry {
     }
 
     /// The planes of a filled triangle, its slots in the pool.
+    #[inline]
     pub(super) fn triangle_planes(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode) -> Planes {
         let v = t.v.map(|v| v.head);
-        let place = Place::new(v, area);
-        let (z, _) = depth(cx, &place.snapped, v.map(|v| v.window[2]), mode);
-        let mut planes = Planes { origin: place.origin, z, ..Planes::default() };
+        let (origin, det) = (origin(&v), pixels(area));
+        let (z, _) = depth(cx, &v, origin, det, mode);
+        let basis = basis(&v, origin, det);
+        let mut planes = Planes { origin, z, ..Planes::default() };
         let values = Values { corner: t.v.map(|v| v.slots), provoking: t.provoking, back, w: v.map(|v| v.clip[3]) };
-        cx.recipe.planes(&place.basis, &values, &mut planes, &mut self.pool);
+        cx.recipe.planes(&basis, &values, &mut planes, &mut self.pool);
         planes
     }
 }
@@ -156,7 +169,7 @@ impl Geometry {
             if cx.rs.offset[mode as usize] { cx.rs.offset_units } else { 0.0 }
         } else {
             let v = t.v.map(|v| v.head);
-            depth(cx, &Place::new(v, area).snapped, v.map(|v| v.window[2]), mode).1
+            depth(cx, &v, origin(&v), pixels(area), mode).1
         };
         // The first boundary edge of a polygon starts its stipple; later triangles of a fan begin with an inner edge.
         if t.edges[0] {
