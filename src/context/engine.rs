@@ -101,7 +101,7 @@ impl Engine {
             primitive: Primitive::default(),
             vertex_cache: VertexCache::default(),
             pipe: Pipe::new(config.level, config.batch_cut),
-            scene: Scene::new(config.threads, config.batch_cut),
+            scene: Scene::new(config.threads, config.batch_cut).at_level(config.level),
             program: None,
             drawing: false,
             q_units: 0,

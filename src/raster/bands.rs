@@ -111,7 +111,7 @@ impl<P: Shader> Flush<'_, P> {
         let rows = band.y0 as i32..band.y0.saturating_add(band.rows) as i32;
         to.begin(band, self.cut);
         let Some(first) = self.draws.first() else { return };
-        let (planes, pool) = (&self.geometry.planes[..], &self.geometry.pool[..]);
+        let (planes, pool) = (&self.geometry.planes[..], self.geometry.pool.all());
         let mut sink = Target { program: &first.program, planes, pool, band };
         let mut current = u32::MAX;
         let mut draw = first;

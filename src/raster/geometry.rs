@@ -2,7 +2,7 @@
 //! shapes need. A small triangle is 64 covered-or-not bits in place; everything larger is an index into its list.
 
 use super::line::Line;
-use super::plane::Recipe;
+use super::plane::{Pool, Recipe};
 use super::point::Disc;
 use super::polygon::Edges;
 use super::smooth::Outline;
@@ -68,7 +68,7 @@ pub struct Geometry {
     /// Their planes.
     pub planes: Vec<Planes>,
     /// The planes of their slots.
-    pub pool: Vec<Plane>,
+    pub pool: Pool,
     /// Triangles that are not small.
     pub edges: Vec<Edges>,
     /// Aliased lines.
@@ -93,7 +93,7 @@ impl Geometry {
     pub fn clear(&mut self) {
         self.prims.clear();
         self.planes.clear();
-        self.pool.clear();
+        self.pool.truncate(0);
         self.edges.clear();
         self.lines.clear();
         self.discs.clear();
@@ -110,7 +110,7 @@ impl Geometry {
         }
         bytes(&self.prims)
             + bytes(&self.planes)
-            + bytes(&self.pool)
+            + self.pool.len() * size_of::<Plane>()
             + bytes(&self.edges)
             + bytes(&self.lines)
             + bytes(&self.discs)

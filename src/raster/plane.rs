@@ -4,6 +4,7 @@
 //! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
+use crate::batch::{Level, stage};
 use crate::fragment::planes::{Layout, Linear, Plane, Planes, UnitSlots};
 
 /// How a position relative to the origin becomes weights of the corners.
@@ -48,8 +49,9 @@ impl Basis {
 }
 
 /// The layout of a draw, prepared for setup.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Recipe {
+    run: SpanFn,
     layout: Layout,
     flat: bool,
     units: Vec<(u32, UnitSlots)>,
@@ -119,7 +121,7 @@ impl Weights {
 
     /// The planes of N slots: loops over arrays, without branches on the values.
     #[inline(always)]
-    fn chunk<const N: usize>(&self, f0: &[f32; N], f1: &[f32; N], f2: &[f32; N]) -> [Plane; N] {
+    fn chunk<const N: usize>(&self, f0: &[f32; N], f1: &[f32; N], f2: &[f32; N], out: &mut [Plane; N]) {
         let Self { d, b1, b2, scale, .. } = self;
         let (mut n0, mut nx, mut ny) = ([0.0; N], [0.0; N], [0.0; N]);
         let (mut c, mut min, mut max) = ([0.0; N], [0.0; N], [0.0; N]);
@@ -143,37 +145,87 @@ impl Weights {
             // 0 for numbers, NaN for all else.
             check += (n0[i] + nx[i] + ny[i]) * 0.0;
         }
-        let mut out = [Plane::default(); N];
         for i in 0..N {
             out[i] = Plane { c: c[i], min: min[i], max: max[i], n0: n0[i], nx: nx[i], ny: ny[i] };
         }
         if check != 0.0 {
-            replace_odd(&mut out, f0);
+            replace_odd(out, f0);
         }
-        out
     }
 
-    /// Hands on the planes of a run of slots, a few at a time.
+    /// The planes of a run of slots, a few at a time.
+    #[inline(always)]
+    fn span(&self, [mut f0, mut f1, mut f2]: [&[f32]; 3], mut out: &mut [Plane]) {
+        macro_rules! chunk {
+            ($n:literal) => {
+                if let (Some((a, ra)), Some((b, rb)), Some((c, rc)), Some((to, rest))) = (
+                    f0.split_first_chunk::<$n>(),
+                    f1.split_first_chunk::<$n>(),
+                    f2.split_first_chunk::<$n>(),
+                    std::mem::take(&mut out).split_first_chunk_mut::<$n>(),
+                ) {
+                    self.chunk(a, b, c, to);
+                    (f0, f1, f2, out) = (ra, rb, rc, rest);
+                }
+            };
+        }
+        while out.len() >= 4 {
+            chunk!(4);
+        }
+        if out.len() >= 2 {
+            chunk!(2);
+        }
+        if !out.is_empty() {
+            chunk!(1);
+        }
+    }
+}
+
+/// Makes planes of the slots of three corners.
+type SpanFn = unsafe fn(&Weights, [&[f32]; 3], &mut [Plane]);
+
+stage! {
+    /// Planes of a run of slots.
+    fn SPAN: SpanFn = (weights: &Weights, slots: [&[f32]; 3], out: &mut [Plane]) {
+        weights.span(slots, out);
+    }
+}
+
+/// The planes of a scene's slots. The vector behind it is as long as it ever was, so that planes are written once, not
+/// made and then overwritten.
+#[derive(Clone, Debug, Default)]
+pub struct Pool {
+    planes: Vec<Plane>,
+    used: usize,
+}
+
+impl Pool {
+    /// All planes; those in use come first.
+    #[must_use]
+    pub fn all(&self) -> &[Plane] {
+        &self.planes
+    }
+
+    /// How many are in use.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.used
+    }
+
+    /// Lets go of all but the first planes.
+    pub fn truncate(&mut self, len: usize) {
+        self.used = self.used.min(len);
+    }
+
+    /// Takes some more into use, of whatever contents.
     #[inline]
-    fn span(&self, f: [&[f32]; 3], mut put: impl FnMut(&[Plane])) {
-        let [mut f0, mut f1, mut f2] = f;
-        while let (Some((a, ra)), Some((b, rb)), Some((c, rc))) =
-            (f0.split_first_chunk::<4>(), f1.split_first_chunk::<4>(), f2.split_first_chunk::<4>())
-        {
-            put(&self.chunk(a, b, c));
-            (f0, f1, f2) = (ra, rb, rc);
+    fn more(&mut self, count: usize) -> &mut [Plane] {
+        let first = self.used;
+        self.used += count;
+        if self.used > self.planes.len() {
+            self.planes.resize((2 * self.planes.len()).max(self.used + 256), Plane::default());
         }
-        if let (Some((a, ra)), Some((b, rb)), Some((c, rc))) =
-            (f0.split_first_chunk::<2>(), f1.split_first_chunk::<2>(), f2.split_first_chunk::<2>())
-        {
-            put(&self.chunk(a, b, c));
-            (f0, f1, f2) = (ra, rb, rc);
-        }
-        if let (Some((a, _)), Some((b, _)), Some((c, _))) =
-            (f0.split_first_chunk::<1>(), f1.split_first_chunk::<1>(), f2.split_first_chunk::<1>())
-        {
-            put(&self.chunk(a, b, c));
-        }
+        self.planes.get_mut(first..first + count).unwrap_or(&mut [])
     }
 }
 
@@ -193,6 +245,13 @@ pub(super) const fn constant(c: f32) -> Plane {
 }
 
 impl Recipe {
+    /// An empty recipe, whose planes are made at a level or the highest that the processor has.
+    #[must_use]
+    pub fn new(level: Level) -> Self {
+        let run = SPAN.levels[level.at_most_available() as usize];
+        Self { run, layout: Layout::default(), flat: false, units: Vec::new() }
+    }
+
     /// Takes over what a draw's layout and shade model ask for.
     pub fn set(&mut self, layout: &Layout, flat: bool) {
         self.layout.clone_from(layout);
@@ -204,18 +263,13 @@ impl Recipe {
     /// Appends the planes of a primitive's slots to the pool and says the rest in `planes` (whose origin and z are the
     /// caller's). Slots that a vertex lacks become 0.
     #[inline]
-    pub fn planes(&self, basis: &Basis, values: &Values, planes: &mut Planes, pool: &mut Vec<Plane>) {
+    pub fn planes(&self, basis: &Basis, values: &Values, planes: &mut Planes, pool: &mut Pool) {
         let weights = Weights::new(basis, values.w);
-        let (first, count) = (pool.len(), self.layout.count);
-        planes.first = first as u32;
+        let count = self.layout.count;
+        planes.first = pool.len() as u32;
         (planes.d, planes.affine, planes.wide) = (weights.d, weights.affine, 0);
-        let [f0, f1, f2] = values.corner;
-        if let (Some(f0), Some(f1), Some(f2)) = (f0.get(..count), f1.get(..count), f2.get(..count)) {
-            weights.span([f0, f1, f2], |planes| pool.extend_from_slice(planes));
-        } else {
-            pool.resize(first + count, Plane::default());
-        }
-        let Some(out) = pool.get_mut(first..) else { return };
+        let out = pool.more(count);
+        self.span(&weights, values.corner, 0, out);
         self.colors(&weights, values, out);
         let d = weights.d;
         if weights.bound(d.at, d.x, d.y) > 2048.0 * weights.far
@@ -230,6 +284,22 @@ impl Recipe {
         }
     }
 
+    /// The planes of the slots from one on; slots that a vertex lacks are 0.
+    #[inline]
+    fn span(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, out: &mut [Plane]) {
+        let [f0, f1, f2] = corner;
+        let slots = from..from + out.len();
+        if let (Some(f0), Some(f1), Some(f2)) = (f0.get(slots.clone()), f1.get(slots.clone()), f2.get(slots)) {
+            #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
+            // SAFETY: a recipe is made for no level that the processor does not have.
+            unsafe {
+                (self.run)(weights, [f0, f1, f2], out);
+            }
+        } else {
+            out.fill(Plane::default());
+        }
+    }
+
     /// Colours once more where they are not simply those of the corners: flat shading, back faces.
     fn colors(&self, weights: &Weights, values: &Values, out: &mut [Plane]) {
         let back = if values.back { self.layout.back } else { None };
@@ -240,18 +310,10 @@ impl Recipe {
         // The back side's primary colour has its place even where only the secondary colour is wanted.
         let secondary = self.layout.secondary.map(|slot| (slot, back.map_or(slot, |b| b + 4), 3));
         for (to, from, n) in [primary, secondary].into_iter().flatten() {
-            let take = |slots| {
-                let slots: &[f32] = slots;
-                slots.get(from..from + n).unwrap_or(&[])
-            };
             let corners = if self.flat { [values.provoking; 3] } else { values.corner };
-            let mut at = to;
-            weights.span(corners.map(take), |planes| {
-                if let Some(out) = out.get_mut(at..at + planes.len()) {
-                    out.copy_from_slice(planes);
-                }
-                at += planes.len();
-            });
+            if let Some(out) = out.get_mut(to..to + n) {
+                self.span(weights, corners, from, out);
+            }
         }
     }
 }
@@ -372,13 +434,22 @@ pub(super) mod tests {
         w: [f64; 3],
         back: bool,
     ) -> (Planes, Vec<Plane>) {
-        let mut recipe = Recipe::default();
+        let mut recipe = Recipe::new(Level::Baseline);
         recipe.set(layout, flat);
         let basis = Basis::triangle([[-2.5, -2.5], [5.5, -2.5], [-2.5, 5.5]], 64.0);
-        let (mut of, mut pool) = (Planes::default(), vec![]);
+        let (mut of, mut pool) = (Planes::default(), Pool::default());
         let corner = [&values[0][..], &values[1], &values[2]];
-        recipe.planes(&basis, &Values { corner, provoking: corner[2], back, w }, &mut of, &mut pool);
-        (of, pool)
+        let values = Values { corner, provoking: corner[2], back, w };
+        recipe.planes(&basis, &values, &mut of, &mut pool);
+        let planes = pool.all()[..pool.len()].to_vec();
+        for level in Level::available() {
+            let mut other = Recipe::new(level);
+            other.set(layout, flat);
+            let (mut of, mut pool) = (Planes::default(), Pool::default());
+            other.planes(&basis, &values, &mut of, &mut pool);
+            assert!(pool.all().iter().zip(&planes).all(|(a, b)| format!("{a:?}") == format!("{b:?}")), "{level:?}");
+        }
+        (of, planes)
     }
 
     #[test]

@@ -10,7 +10,7 @@ use super::plane::Recipe;
 use super::point::Dot;
 use super::setup::Triangle;
 use super::{RasterState, VertexRef};
-use crate::batch::LANES;
+use crate::batch::{LANES, Level};
 use crate::fragment::batch::FragmentBatch;
 use crate::fragment::planes::{Layout, Plane, Planes};
 use crate::fragment::program::Program;
@@ -114,13 +114,20 @@ impl<P: Shader> Scene<P> {
         Self {
             draws: Vec::new(),
             geometry: Geometry::default(),
-            recipe: Recipe::default(),
+            recipe: Recipe::new(Level::detect()),
             stipple: 0,
             cut: cut.clamp(1, LANES),
             bound: if threads > 1 { LARGE } else { SMALL },
             bins: Vec::new(),
             emitters: Vec::new(),
         }
+    }
+
+    /// The same scene, whose planes are made at a level.
+    #[must_use]
+    pub fn at_level(mut self, level: Level) -> Self {
+        self.recipe = Recipe::new(level);
+        self
     }
 
     /// Says what the primitives to come are drawn with. Returns the index of the draw.
