@@ -1,7 +1,8 @@
 //! Texture coordinates of a primitive (OpenGL 1.5, sections 3.5.1 and 3.8.8): q in place of w, whole periods taken off,
 //! and the question whether f32 is enough to evaluate them.
 
-use super::plane::{Basis, Recipe, Values, Weights, constant};
+use super::plane::{Basis, Recipe, Values, constant};
+use super::weights::Weights;
 use crate::fragment::planes::{Linear, Plane, UnitSlots};
 
 impl Recipe {

@@ -17,6 +17,7 @@ pub mod state;
 #[cfg(test)]
 mod testing;
 pub mod vertex;
+mod weights;
 
 pub use geometry::Span;
 pub use scene::{Draw, Scene, Shader};

@@ -4,7 +4,8 @@
 //! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
-use crate::batch::{Level, stage};
+use super::weights::{FOUR, Four, FourFn, Weights};
+use crate::batch::Level;
 use crate::fragment::planes::{Layout, Linear, Plane, Planes, UnitSlots};
 
 /// How a position relative to the origin becomes weights of the corners.
@@ -51,7 +52,7 @@ impl Basis {
 /// The layout of a draw, prepared for setup.
 #[derive(Clone, Debug)]
 pub struct Recipe {
-    run: SpanFn,
+    run: FourFn,
     layout: Layout,
     flat: bool,
     units: Vec<(u32, UnitSlots)>,
@@ -68,127 +69,6 @@ pub struct Values<'a> {
     pub back: bool,
     /// w of each corner.
     pub w: [f64; 3],
-}
-
-/// Basis and w together: the denominator, and the corners' parts of a numerator.
-pub(super) struct Weights {
-    pub d: Linear,
-    pub affine: bool,
-    pub r: [f64; 3],
-    /// The least of r.
-    pub far: f64,
-    /// How far corners are from the origin in x and in y.
-    pub reach: [f64; 2],
-    b1: Linear,
-    b2: Linear,
-    /// 1 / D at the origin, or 0 where D is not of the size it has in the primitive.
-    scale: f64,
-}
-
-/// The least and the greatest of three.
-#[inline(always)]
-fn range<T: PartialOrd + Copy>([a, b, c]: [T; 3]) -> (T, T) {
-    let (low, high) = if b < a { (b, a) } else { (a, b) };
-    (if c < low { c } else { low }, if c > high { c } else { high })
-}
-
-impl Weights {
-    #[inline]
-    fn new(basis: &Basis, w: [f64; 3]) -> Self {
-        let [b1, b2] = basis.b;
-        let [p0, p1, p2] = basis.corner;
-        let reach =
-            [range([p0[0].abs(), p1[0].abs(), p2[0].abs()]).1, range([p0[1].abs(), p1[1].abs(), p2[1].abs()]).1];
-        let least = range(w).0;
-        let affine = (w[0] == w[1] && w[1] == w[2]) || !(least > 0.0 && w[0] + w[1] + w[2] < f64::INFINITY);
-        if affine {
-            let d = Linear { at: 1.0, x: 0.0, y: 0.0 };
-            return Self { d, affine, r: [1.0; 3], far: 1.0, reach, b1, b2, scale: 1.0 };
-        }
-        let r = [least / w[0], least / w[1], least / w[2]];
-        let d = basis.linear(r);
-        let far = range(r).0;
-        let scale = if d.at >= 0.5 * far && d.at <= 2.0 { 1.0 / d.at } else { 0.0 };
-        let times = |k: f64, b: Linear| Linear { at: k * b.at, x: k * b.x, y: k * b.y };
-        Self { d, affine, r, far, reach, b1: times(r[1], b1), b2: times(r[2], b2), scale }
-    }
-
-    /// The sum of a linear function's terms is nowhere in the primitive greater than this.
-    #[inline]
-    pub fn bound(&self, at: f64, x: f64, y: f64) -> f64 {
-        at.abs() + x.abs() * self.reach[0] + y.abs() * self.reach[1]
-    }
-
-    /// The planes of N slots: loops over arrays, without branches on the values.
-    #[inline(always)]
-    fn chunk<const N: usize>(&self, f0: &[f32; N], f1: &[f32; N], f2: &[f32; N], out: &mut [Plane; N]) {
-        let Self { d, b1, b2, scale, .. } = self;
-        let (mut n0, mut nx, mut ny) = ([0.0; N], [0.0; N], [0.0; N]);
-        let (mut c, mut min, mut max) = ([0.0; N], [0.0; N], [0.0; N]);
-        let mut check = 0.0;
-        for i in 0..N {
-            let base = f64::from(f0[i]);
-            let (g1, g2) = (f64::from(f1[i]) - base, f64::from(f2[i]) - base);
-            let at = g1 * b1.at + g2 * b2.at;
-            let x = g1 * b1.x + g2 * b2.x;
-            let y = g1 * b1.y + g2 * b2.y;
-            (min[i], max[i]) = range([f0[i], f1[i], f2[i]]);
-            let here = (base + at * scale) as f32;
-            let here = if here < min[i] { min[i] } else { here };
-            c[i] = if here > max[i] { max[i] } else { here };
-            let delta = f64::from(c[i]) - base;
-            n0[i] = at - delta * d.at;
-            nx[i] = x - delta * d.x;
-            ny[i] = y - delta * d.y;
-        }
-        for i in 0..N {
-            // 0 for numbers, NaN for all else.
-            check += (n0[i] + nx[i] + ny[i]) * 0.0;
-        }
-        for i in 0..N {
-            out[i] = Plane { c: c[i], min: min[i], max: max[i], n0: n0[i], nx: nx[i], ny: ny[i] };
-        }
-        if check != 0.0 {
-            replace_odd(out, f0);
-        }
-    }
-
-    /// The planes of a run of slots, a few at a time.
-    #[inline(always)]
-    fn span(&self, [mut f0, mut f1, mut f2]: [&[f32]; 3], mut out: &mut [Plane]) {
-        macro_rules! chunk {
-            ($n:literal) => {
-                if let (Some((a, ra)), Some((b, rb)), Some((c, rc)), Some((to, rest))) = (
-                    f0.split_first_chunk::<$n>(),
-                    f1.split_first_chunk::<$n>(),
-                    f2.split_first_chunk::<$n>(),
-                    std::mem::take(&mut out).split_first_chunk_mut::<$n>(),
-                ) {
-                    self.chunk(a, b, c, to);
-                    (f0, f1, f2, out) = (ra, rb, rc, rest);
-                }
-            };
-        }
-        while out.len() >= 4 {
-            chunk!(4);
-        }
-        if out.len() >= 2 {
-            chunk!(2);
-        }
-        if !out.is_empty() {
-            chunk!(1);
-        }
-    }
-}
-
-/// Makes planes of the slots of three corners.
-type SpanFn = unsafe fn(&Weights, [&[f32]; 3], &mut [Plane]);
-
-stage! {
-    /// Planes of a run of slots.
-    fn SPAN: SpanFn = (weights: &Weights, slots: [&[f32]; 3], out: &mut [Plane]) {
-        weights.span(slots, out);
-    }
 }
 
 /// The planes of a scene's slots. The vector behind it is as long as it ever was, so that planes are written once, not
@@ -239,6 +119,12 @@ fn replace_odd(planes: &mut [Plane], values: &[f32]) {
     }
 }
 
+/// Four slots from one on, where there are so many.
+#[inline(always)]
+fn four_of(slots: &[f32], at: usize) -> Option<&[f32; 4]> {
+    slots.get(at..)?.first_chunk()
+}
+
 /// The plane of a value that is the same everywhere.
 pub(super) const fn constant(c: f32) -> Plane {
     Plane { c, min: c, max: c, n0: 0.0, nx: 0.0, ny: 0.0 }
@@ -248,7 +134,7 @@ impl Recipe {
     /// An empty recipe, whose planes are made at a level or the highest that the processor has.
     #[must_use]
     pub fn new(level: Level) -> Self {
-        let run = SPAN.levels[level.at_most_available() as usize];
+        let run = FOUR.levels[level.at_most_available() as usize];
         Self { run, layout: Layout::default(), flat: false, units: Vec::new() }
     }
 
@@ -289,14 +175,44 @@ impl Recipe {
     fn span(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, out: &mut [Plane]) {
         let [f0, f1, f2] = corner;
         let slots = from..from + out.len();
-        if let (Some(f0), Some(f1), Some(f2)) = (f0.get(slots.clone()), f1.get(slots.clone()), f2.get(slots)) {
-            #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
-            // SAFETY: a recipe is made for no level that the processor does not have.
-            unsafe {
-                (self.run)(weights, [f0, f1, f2], out);
-            }
-        } else {
+        let (Some(f0), Some(f1), Some(f2)) = (f0.get(slots.clone()), f1.get(slots.clone()), f2.get(slots)) else {
             out.fill(Plane::default());
+            return;
+        };
+        let count = out.len();
+        let mut four = Four::default();
+        let mut at = 0;
+        // The last four are made even where that repeats some: the result is the same.
+        while let (Some(a), Some(b), Some(c), Some(to)) =
+            (four_of(f0, at), four_of(f1, at), four_of(f2, at), out.get_mut(at..at + 4))
+        {
+            self.four(weights, [a, b, c], &mut four, to);
+            if at + 4 == count {
+                return;
+            }
+            at = (at + 4).min(count - 4);
+        }
+        let (mut a, mut b, mut c) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        for (i, ((f0, f1), f2)) in f0.iter().zip(f1).zip(f2).enumerate().take(4) {
+            (a[i], b[i], c[i]) = (*f0, *f1, *f2);
+        }
+        self.four(weights, [&a, &b, &c], &mut four, out);
+    }
+
+    /// Up to four planes.
+    #[inline]
+    fn four(&self, weights: &Weights, slots: [&[f32; 4]; 3], four: &mut Four, out: &mut [Plane]) {
+        #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
+        // SAFETY: a recipe is made for no level that the processor does not have.
+        unsafe {
+            (self.run)(weights, slots, four);
+        }
+        for (i, plane) in out.iter_mut().enumerate().take(4) {
+            *plane = four.plane(i);
+        }
+        let [a, b, c, d] = four.check;
+        if (a + b + c + d).is_nan() {
+            replace_odd(out, slots[0]);
         }
     }
 
