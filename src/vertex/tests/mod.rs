@@ -2,6 +2,7 @@
 //! level and batch cut.
 
 mod clipping;
+mod fuzz;
 mod lit;
 mod primitives;
 mod speed;
