@@ -231,12 +231,51 @@ impl Engine {
         let request = Request { place, level, size, border, format: internal };
         let Some(level) = self.admit(&request)? else { return Ok(()) };
         let dimensions = dimensions_of(place.target);
-        let store = &self.client.pixel_store.unpack;
-        let client = client_image(pixels, store, dimensions, size, pixel)?;
-        let transfer = Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
+        let store = self.client.pixel_store.unpack;
+        let client = client_image(pixels, &store, dimensions, size, pixel)?;
         let size = size.map(i32::unsigned_abs);
-        let image = Image::from_client(internal, dimensions, size, border.unsigned_abs(), client.as_ref(), transfer)?;
+        let border = border.unsigned_abs();
+        if let Some(client) = &client
+            && self.rewrite(place, level, |image| image.is_like(internal, dimensions, size, border), client)?
+        {
+            return self.after_image_change(place, level);
+        }
+        let image = Image::from_client(internal, dimensions, size, border, client.as_ref(), self.transfer())?;
         self.put_image(place, level, Arc::new(image))
+    }
+
+    /// Writes the memory of the old image again where it has the shape that is wanted and no draw holds it: uploading a
+    /// texture every frame then costs no allocation. False where there is no such image.
+    fn rewrite(
+        &mut self,
+        place: Place,
+        level: usize,
+        fits: impl Fn(&Image) -> bool,
+        pixels: &ClientImage<'_>,
+    ) -> Outcome<bool> {
+        let old = self.bound_texture(place.target).image(place.face, level);
+        if !old.is_some_and(|image| fits(image)) {
+            return Ok(false);
+        }
+        self.free_image(place, level);
+        let bound = self.bound_name(place.target);
+        let object = self.textures.object_mut(place.target, bound);
+        let slot = object.faces.get_mut(place.face).and_then(|levels| levels.get_mut(level));
+        let Some(image) = slot.and_then(Option::as_mut).and_then(Arc::get_mut) else { return Ok(false) };
+        let transfer = Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
+        image.upload(image.first(), pixels, transfer)?;
+        Ok(true)
+    }
+
+    /// Before an image is written: draws that are done let go of it. A large image that waiting draws hold is worth
+    /// carrying them out, since copying it would cost more.
+    pub(crate) fn free_image(&mut self, place: Place, level: usize) {
+        const LARGE: usize = 1 << 14;
+        let image = self.bound_texture(place.target).image(place.face, level);
+        if image.is_some_and(|image| image.texels.len() >= LARGE && Arc::strong_count(image) > 1) {
+            self.flush_scene();
+        }
+        self.release_draws();
     }
 
     /// Checks a request. A proxy is answered here, and then there is no level to go on with.

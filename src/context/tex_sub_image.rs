@@ -91,7 +91,7 @@ impl Engine {
         level: usize,
         write: impl FnOnce(&mut Image, Transfer<'_>) -> Outcome,
     ) -> Outcome {
-        self.release_draws();
+        self.free_image(place, level);
         let bound = self.bound_name(place.target);
         let object = self.textures.object_mut(place.target, bound);
         if let Some(Some(image)) = object.faces.get_mut(place.face).and_then(|levels| levels.get_mut(level)) {

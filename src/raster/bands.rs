@@ -60,7 +60,10 @@ pub(super) fn flush<P: Shader>(
     let work = geometry.pixels + PRIMITIVE * geometry.prims.len() as u64;
     let workers = threads.min(count).min(usize::try_from(work / PAYS).unwrap_or(1) + 1).max(1);
     emitters.resize_with(emitters.len().max(workers), Emitter::new);
-    if workers == 1 {
+    // One thread, too, goes band by band where pixels are drawn over and over: a band stays in the cache.
+    let area = u64::from(framebuffer.width()) * u64::from(height);
+    let layered = geometry.pixels >= 2 * area && geometry.pixels >= 256 * geometry.prims.len() as u64;
+    if workers == 1 && !layered {
         let mut band = framebuffer.band();
         if let Some(emitter) = emitters.first_mut() {
             let all = 0..u32::try_from(geometry.prims.len()).unwrap_or(u32::MAX);
@@ -70,6 +73,14 @@ pub(super) fn flush<P: Shader>(
     }
     file(geometry, bins, count, rows);
     let mut bands = framebuffer.bands(rows);
+    if workers == 1 {
+        for (band, bin) in bands.iter_mut().zip(bins.iter()) {
+            if let Some(emitter) = emitters.first_mut() {
+                flush.walk(bin.iter().copied(), band, emitter);
+            }
+        }
+        return bands.iter().map(|band| band.samples).sum();
+    }
     let queue = Mutex::new(bands.iter_mut().zip(bins.iter()));
     let work = |emitter: &mut Emitter| {
         loop {

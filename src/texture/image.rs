@@ -164,6 +164,17 @@ impl Image {
         })
     }
 
+    /// Whether an image that [`Image::new`] would make has the shape and format of this one, `size` with the border. Not
+    /// so for compressed images, which keep their blocks too.
+    #[must_use]
+    pub fn is_like(&self, format: &InternalFormat, dimensions: Dimensions, size: [u32; 3], border: u32) -> bool {
+        std::ptr::eq(self.format, format)
+            && self.internal_format == format.reported
+            && self.compressed.is_none()
+            && (self.dimensions, self.border) == (dimensions, border)
+            && self.full_size() == size
+    }
+
     /// Texels from one row to the next.
     #[inline]
     #[must_use]
