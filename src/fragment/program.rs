@@ -1,5 +1,5 @@
 //! The fragment program: the list of stages that the state needs, built once for a draw and run over every batch. What
-//! the state makes a no-op is left out ([`build`](super::build) decides); the list of what was kept and left out, with
+//! the state makes a no-op is left out (`build` decides); the list of what was kept and left out, with
 //! the reasons, stays with the program so that it can be explained.
 
 use super::batch::FragmentBatch;

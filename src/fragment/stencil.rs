@@ -1,5 +1,5 @@
 //! The stencil test (OpenGL 1.5, section 4.1.5). It comes in two stages, because what is written depends on the depth test
-//! between them: [`STENCIL_TEST`] compares and notes who failed, [`STENCIL_WRITE`] applies the operations of the three
+//! between them: `STENCIL_TEST` compares and notes who failed, `STENCIL_WRITE` applies the operations of the three
 //! cases (stencil failed, depth failed, both passed) and writes the bits that the mask lets through.
 
 use super::batch::FragmentBatch;

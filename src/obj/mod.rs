@@ -1,7 +1,7 @@
 //! OBJ files (cargo feature `tobj`): a model as arrays ready for `glDrawElements`.
 //!
-//! Reading has three steps. [`text`] checks the file line by line and completes it (so that an error can say in which
-//! line it is), `tobj` makes triangles and joins equal corners, [`normals`] computes what normals are missing. The result
+//! Reading has three steps. `text` checks the file line by line and completes it (so that an error can say in which
+//! line it is), `tobj` makes triangles and joins equal corners, `normals` computes what normals are missing. The result
 //! is one set of vertex arrays with a list of indices for each run of faces of one material.
 //!
 //! ```no_run
