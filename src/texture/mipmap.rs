@@ -8,7 +8,7 @@
 //! the rounding of one level never reaches the next.
 
 use super::image::{Image, Texels, zeroed};
-use crate::error::Outcome;
+use crate::error::{Outcome, out_of_memory};
 
 /// Four components.
 type Texel = [f32; 4];
@@ -39,12 +39,16 @@ pub fn levels(base: &Image, count: usize) -> Outcome<Vec<Image>> {
     }
     let border = base.border as usize;
     let mut size = [base.width, base.height, base.depth];
+    let count = count.min(levels_below(size));
     let mut above: Option<Level> = None;
-    for _ in 0..count.min(levels_below(size)) {
+    if let Some(sums) = Sums::of(base)? {
+        above = sums.reduce(base, &mut size, count, &mut made)?;
+    }
+    for _ in made.len()..count {
         let level = match &above {
             None => first_reduction(base)?,
             Some(Level { size: [w, h, d], texels }) if is_even(border, [*w, *h, *d]) => {
-                quarter([*w, *h], |y| texels.get(y * w..(y + 1) * w).unwrap_or(&[]), |t| *t)?
+                quarter([*w, *h], |y| texels.get(y * w..(y + 1) * w).unwrap_or(&[]))?
             }
             Some(Level { size: [w, h, d], texels }) => reduce([*w, *h, *d], border, |y, z, to| {
                 let at = (z * h + y) * w;
@@ -58,22 +62,13 @@ pub fn levels(base: &Image, count: usize) -> Outcome<Vec<Image>> {
     Ok(made)
 }
 
-/// The first reduction reads the image itself.
+/// The first reduction reads the image itself, where it is not packed or not even.
 fn first_reduction(base: &Image) -> Outcome<Level> {
     let full = base.full_size().map(|n| n as usize);
     let first = base.first();
-    match base.own_texels() {
-        Texels::Rgba8(texels) if is_even(base.border as usize, full) => {
-            let row = |y| {
-                let at = base.index(0, y as i32, 0);
-                texels.get(at..at + full[0]).unwrap_or(&[])
-            };
-            quarter([full[0], full[1]], row, |t| t.to_le_bytes().map(f32::from))
-        }
-        _ => reduce(full, base.border as usize, |y, z, to| {
-            read_row(base, base.index(first[0], first[1] + y as i32, first[2] + z as i32), to);
-        }),
-    }
+    reduce(full, base.border as usize, |y, z, to| {
+        read_row(base, base.index(first[0], first[1] + y as i32, first[2] + z as i32), to);
+    })
 }
 
 /// Whether [`quarter`] may take the place of [`reduce`].
@@ -81,17 +76,109 @@ fn is_even(border: usize, [w, h, d]: [usize; 3]) -> bool {
     border == 0 && d == 1 && w.is_multiple_of(2) && h.is_multiple_of(2)
 }
 
+/// Sums of packed texels, R and B in one number and G and A in the other, 16 bits each. As many as 256 bytes have a sum
+/// that fits, so four levels come out of additions of whole numbers, exactly what floats would give.
+struct Sums {
+    size: [usize; 2],
+    /// How often the image has been halved.
+    halved: u32,
+    sums: Vec<[u32; 2]>,
+}
+
+impl Sums {
+    /// The most often that an image may be halved.
+    const MOST: u32 = 4;
+
+    /// The sums of the first reduction, where the image has packed texels and is even.
+    fn of(base: &Image) -> Outcome<Option<Sums>> {
+        let full @ [w, h, _] = base.full_size().map(|n| n as usize);
+        let Texels::Rgba8(texels) = base.own_texels() else { return Ok(None) };
+        if !is_even(base.border as usize, full) {
+            return Ok(None);
+        }
+        let mut sums = reserved(w / 2 * (h / 2))?;
+        for y in 0..h / 2 {
+            let row = |y: usize| {
+                let at = base.index(0, y as i32, 0);
+                texels.get(at..at + w).unwrap_or(&[]).as_chunks::<2>().0
+            };
+            sums.extend(row(2 * y).iter().zip(row(2 * y + 1)).map(|([a, b], [c, d])| {
+                let two = |shift: u32| [a, b, c, d].map(|t| (t >> shift) & 0x00FF_00FF).into_iter().sum();
+                [two(0), two(8)]
+            }));
+        }
+        Ok(Some(Sums { size: [w / 2, h / 2], halved: 1, sums }))
+    }
+
+    /// Makes levels as long as sums fit and sizes are even; gives the last one as floats.
+    fn reduce(
+        mut self,
+        base: &Image,
+        size: &mut [u32; 3],
+        count: usize,
+        made: &mut Vec<Image>,
+    ) -> Outcome<Option<Level>> {
+        while made.len() < count {
+            if self.halved as usize > made.len() {
+                *size = next_size(*size);
+                made.push(self.to_image(base, *size)?);
+            }
+            let [w, h] = self.size;
+            if self.halved == Self::MOST || !is_even(0, [w, h, 1]) {
+                break;
+            }
+            let mut sums = reserved(w / 2 * (h / 2))?;
+            for rows in self.sums.chunks_exact(2 * w) {
+                let (low, high) = rows.split_at(w);
+                let pairs = low.as_chunks::<2>().0.iter().zip(high.as_chunks::<2>().0);
+                sums.extend(pairs.map(|([a, b], [c, d])| [0, 1].map(|i: usize| (a[i] + b[i]) + (c[i] + d[i]))));
+            }
+            self.sums = sums;
+            self.size = [w / 2, h / 2];
+            self.halved += 1;
+        }
+        let part = 1.0 / (1u32 << (2 * self.halved)) as f32;
+        let mut texels = reserved(self.sums.len())?;
+        texels.extend(
+            self.sums
+                .iter()
+                .map(|[rb, ga]| [rb & 0xFFFF, ga & 0xFFFF, rb >> 16, ga >> 16].map(|sum| sum as f32 * part)),
+        );
+        let [w, h] = self.size;
+        Ok(Some(Level { size: [w, h, 1], texels }))
+    }
+
+    /// The means as an image, rounded half up.
+    fn to_image(&self, like: &Image, size: [u32; 3]) -> Outcome<Image> {
+        let mut image = Image::new(like.format, like.dimensions, size, like.border)?;
+        image.internal_format = like.internal_format;
+        let (shift, [w, h]) = (2 * self.halved, self.size);
+        let half = 0x0001_0001 << (shift - 1);
+        for (y, row) in self.sums.chunks_exact(w).enumerate() {
+            let at = image.index(0, y as i32, 0);
+            let Texels::Rgba8(texels) = &mut image.texels else { continue };
+            for (to, [rb, ga]) in texels.iter_mut().skip(at).zip(row) {
+                *to = ((rb + half) >> shift & 0x00FF_00FF) | ((ga + half) >> shift & 0x00FF_00FF) << 8;
+            }
+        }
+        image.recompress([0; 3], [w as i32, h as i32, 1])?;
+        Ok(image)
+    }
+}
+
+/// An empty vector with room for so many.
+fn reserved<T>(len: usize) -> Outcome<Vec<T>> {
+    let mut vector = Vec::new();
+    vector.try_reserve_exact(len).map_err(|_| out_of_memory(format!("no memory for {len} texels")))?;
+    Ok(vector)
+}
+
 /// [`reduce`] for two even dimensions at once: the same sums, as only halves are taken of them.
-fn quarter<'a, T: 'a>(
-    [w, h]: [usize; 2],
-    row: impl Fn(usize) -> &'a [T],
-    fetch: impl Fn(&T) -> Texel,
-) -> Outcome<Level> {
+fn quarter<'a>([w, h]: [usize; 2], row: impl Fn(usize) -> &'a [Texel]) -> Outcome<Level> {
     let mut texels = zeroed(w / 2 * (h / 2), [0.0; 4])?;
     for (y, out) in texels.chunks_exact_mut(w / 2).enumerate() {
         let pairs = row(2 * y).as_chunks::<2>().0.iter().zip(row(2 * y + 1).as_chunks::<2>().0);
         for (to, ([a, b], [c, d])) in out.iter_mut().zip(pairs) {
-            let [a, b, c, d] = [a, b, c, d].map(&fetch);
             *to = std::array::from_fn(|i| ((a[i] + b[i]) + (c[i] + d[i])) * 0.25);
         }
     }
@@ -249,4 +336,38 @@ fn to_image(like: &Image, size: [u32; 3], level: &Level) -> Outcome<Image> {
     }
     image.recompress([0; 3], full.map(|n| n as i32))?;
     Ok(image)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::enums::GL_RGBA8;
+    use crate::texture::format::InternalFormat;
+    use crate::texture::image::Dimensions;
+
+    #[test]
+    fn sums_give_what_floats_give() {
+        for size in [[512, 512], [64, 6], [6, 64], [2, 2], [48, 80], [32, 1024]] {
+            let format = InternalFormat::of_tex_image(GL_RGBA8.cast_signed()).expect("a format");
+            let mut base = Image::new(format, Dimensions::Two, [size[0], size[1], 1], 0).expect("memory");
+            let mut random = 12_345u32;
+            if let Texels::Rgba8(texels) = &mut base.texels {
+                for t in texels {
+                    random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    // Many whites, so that sums reach their limit.
+                    *t = if random >> 30 == 0 { random } else { u32::MAX };
+                }
+            }
+            let made = levels(&base, 20).expect("memory");
+            let mut above = first_reduction(&base).expect("memory");
+            for (i, image) in made.iter().enumerate() {
+                let want = to_image(&base, [image.width, image.height, 1], &above).expect("memory");
+                assert_eq!(image.own_texels(), want.own_texels(), "level {} of {size:?}", i + 1);
+                let Level { size, texels } = &above;
+                let next = reduce(*size, 0, |y, _, to| to.copy_from_slice(&texels[y * size[0]..][..size[0]]));
+                above = next.expect("memory");
+            }
+            assert_eq!(made.len(), levels_below([size[0], size[1], 1]));
+        }
+    }
 }
