@@ -57,6 +57,13 @@ impl Pointer {
     }
 }
 
+/// What a place in the list of arrays is called in a message.
+pub(crate) fn place_name(place: usize) -> &'static str {
+    const NAMES: [&str; Attribute::TexCoord as usize] =
+        ["vertex", "normal", "colour", "secondary colour", "colour index", "fog coordinate", "edge flag"];
+    NAMES.get(place).copied().unwrap_or("texture coordinate")
+}
+
 /// Bytes of one number of a type.
 pub(crate) fn type_bytes(type_: GLenum) -> usize {
     match type_ {

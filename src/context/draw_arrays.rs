@@ -183,6 +183,7 @@ impl Engine {
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, (first, end - 1), |place| Sources::wanted(place, needs));
         sources.defaults(&mut pipe.batch);
+        let short = sources.too_short(end - 1);
         let cut = pipe.cut() as u32;
         let mut at = first;
         while at < end {
@@ -198,6 +199,13 @@ impl Engine {
             at += n;
         }
         pipe.array_end(scene);
+        if let Some((place, there)) = short {
+            self.note(format!(
+                "glDrawArrays asks for {count} elements from element {first} on, but the {} array has only {there} of \
+                 them; zeros stand for the rest",
+                super::arrays::place_name(place)
+            ));
+        }
         Ok(())
     }
 

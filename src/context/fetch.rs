@@ -93,6 +93,8 @@ struct Source<'a> {
     stride: usize,
     first: u32,
     size: usize,
+    /// Bytes of one element.
+    bytes_each: usize,
     reader: Reader,
 }
 
@@ -145,6 +147,7 @@ impl<'a> Sources<'a> {
                     stride: p.stride_bytes(),
                     first,
                     size: p.size.unsigned_abs() as usize,
+                    bytes_each: p.element_bytes(),
                     reader,
                 });
             }
@@ -165,6 +168,19 @@ impl<'a> Sources<'a> {
             None if place == Attribute::EdgeFlag as usize => on(needs::EDGE),
             None => false,
         }
+    }
+
+    /// The first array that does not reach to an element, and how many elements from the draw's first on it has.
+    pub(crate) fn too_short(&self, last: u32) -> Option<(usize, usize)> {
+        self.sources.iter().enumerate().find_map(|(place, source)| {
+            let s = source.as_ref()?;
+            let needed = last.saturating_sub(s.first) as usize * s.stride + s.bytes_each;
+            let there = match s.bytes.len().checked_sub(s.bytes_each) {
+                Some(rest) => rest / s.stride.max(1) + 1,
+                None => 0,
+            };
+            (s.bytes.len() < needed).then_some((place, there))
+        })
     }
 
     /// Sets what an array does not give of its attribute: the rest of (0, 0, 0, 1). Once a draw.

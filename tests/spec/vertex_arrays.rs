@@ -382,3 +382,21 @@ fn errors_change_nothing() {
     assert!(gl.unmap_buffer(GL_ARRAY_BUFFER));
     gl.check().unwrap();
 }
+
+#[test]
+fn an_array_that_is_too_short_reads_as_zeros_and_says_so() {
+    let heard = std::sync::Arc::new(std::sync::Mutex::new(Vec::new()));
+    let messages = heard.clone();
+    let mut gl = context();
+    gl.set_debug_callback(Some(Box::new(move |m| messages.lock().unwrap().push(m.message.to_string()))));
+    gl.enable_client_state(GL_VERTEX_ARRAY);
+    // Two of three vertices are there; the third becomes the centre.
+    gl.vertex_pointer(2, GL_FLOAT, 0, &[[-1.0f32, -1.0], [1.0, -1.0]]);
+    gl.draw_arrays(GL_TRIANGLES, 0, 3);
+    gl.check().unwrap();
+    let pixels = gl.pixels();
+    let lit = |x: usize, y: usize| pixels[(y * SIZE as usize + x) * 4] == 255;
+    assert!(lit(16, 1) && lit(16, 14) && !lit(16, 18) && !lit(1, 8));
+    let heard = heard.lock().unwrap();
+    assert!(heard.len() == 1 && heard[0].contains("vertex array has only 2"), "{heard:?}");
+}

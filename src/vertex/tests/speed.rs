@@ -87,4 +87,33 @@ fn vertices_a_second() {
         generation.mode = GL_SPHERE_MAP;
     }
     measure("sphere map", &state, &layout);
+    clipped();
+}
+
+/// Triangles that all cross the near plane.
+fn clipped() {
+    for level in Level::available() {
+        let mut pipe = Pipe::new(level, 64);
+        pipe.rebuild(&plain_state(), &color_layout(), Wants::default());
+        let mut sink = Count::default();
+        let triangles = 30_000;
+        let mut best = f64::MAX;
+        for _ in 0..10 {
+            sink.0 = 0;
+            let start = Instant::now();
+            pipe.begin(GL_TRIANGLES);
+            for i in 0..3 * triangles {
+                let z = if i % 3 == 0 { -3.0 } else { 0.5 };
+                let position = [(i % 7) as f32 / 8.0, (i % 5) as f32 / 8.0, z, 1.0];
+                if pipe.vertex(black_box(position), &Current::default()) {
+                    pipe.run(&mut sink);
+                }
+            }
+            pipe.end();
+            pipe.run(&mut sink);
+            best = best.min(start.elapsed().as_secs_f64());
+        }
+        assert_eq!(sink.0, 2 * triangles);
+        println!("clipped {level:?}: {:.0} ns/triangle, its three vertices included", best * 1e9 / triangles as f64);
+    }
 }
