@@ -135,7 +135,7 @@ impl Framebuffer {
     /// The ranges of buffer elements that a rectangle covers: one for the whole buffer, else one a row.
     pub(super) fn runs(&self, rect: Rect, len: usize) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
         let whole = rect.width == self.width && rect.height == self.height && self.stride == self.width;
-        let first = if self.flipped { (self.height - rect.y).saturating_sub(rect.height) } else { rect.y };
+        let first = if self.flipped { self.height.saturating_sub(rect.y).saturating_sub(rect.height) } else { rect.y };
         let stride = self.stride as usize;
         let (count, width) = match (whole, rect.width) {
             (true, _) => (usize::from(len > 0), len),

@@ -31,6 +31,11 @@ impl ClientMemory {
         NonNull::new(address).filter(|a| a.is_aligned() && fits).map(|address| Self { address, len })
     }
 
+    /// Forgets pixels from `len` on.
+    pub(super) fn truncate(&mut self, len: usize) {
+        self.len = self.len.min(len);
+    }
+
     /// The pixels.
     pub(super) fn pixels(&self) -> &[u32] {
         #[expect(unsafe_code, reason = "the promise of `new`")]

@@ -170,6 +170,8 @@ impl Framebuffer {
                 memory.pixels().len()
             )));
         }
+        let mut memory = memory;
+        memory.truncate(len);
         let format = FramebufferFormat { float: false, ..format };
         Self::with_store(width, height, row_length, flipped, format, ColorStore::Client(memory), len)
     }
@@ -229,3 +231,6 @@ pub(crate) fn no_alpha_bits(format: &FramebufferFormat) -> u32 {
 fn no_alpha_float(format: &FramebufferFormat) -> f32 {
     if format.color_bits[3] == 0 { 1.0 } else { 0.0 }
 }
+
+#[cfg(test)]
+mod tests;
