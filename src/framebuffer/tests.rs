@@ -89,7 +89,7 @@ fn bands_cover_every_row_once() {
                 f.read_depth(0, y as i32, &mut d);
                 assert_eq!(d, [f64::from(y) / 16_777_215.0; 5]);
             }
-            let mut band = f.band();
+            let band = f.band();
             assert_eq!((band.y0, band.rows, band.samples), (0, height, 0));
             let at = band.offset(4, height - 1) as usize;
             assert_eq!(band.rgba8[at], (height - 1) * 10 + 5);

@@ -1,11 +1,14 @@
 //! Each stage against its equation, evaluated in f64 or in integers straight from the specification.
 
-use super::{Feed, Random, Scene, contents, draw, flat, pixel, program};
+use super::{Feed, Random, Scene, draw, flat, pixel, program};
 use crate::batch::Level;
 use crate::enums::*;
 use crate::fragment::program::{Fate, Options};
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
 use crate::state::State;
+
+/// An operation on two bytes.
+type Bytes = fn(u8, u8) -> u8;
 
 fn clear_to(f: &mut Framebuffer, color: [f32; 4], depth: f64, stencil: u8) {
     let clear =
@@ -185,7 +188,7 @@ fn the_depth_test_compares_and_writes() {
 
 #[test]
 fn stencil_operations_are_those_of_the_three_cases() {
-    let ops: [(GLenum, fn(u8, u8) -> u8); 8] = [
+    let ops: [(GLenum, Bytes); 8] = [
         (GL_KEEP, |s, _| s),
         (GL_ZERO, |_, _| 0),
         (GL_REPLACE, |_, r| r),
@@ -233,7 +236,7 @@ fn the_alpha_test_looks_at_bytes() {
 
 #[test]
 fn logic_operations_are_those_of_the_table() {
-    let ops: [(GLenum, fn(u8, u8) -> u8); 16] = [
+    let ops: [(GLenum, Bytes); 16] = [
         (GL_CLEAR, |_, _| 0),
         (GL_AND, |s, d| s & d),
         (GL_AND_REVERSE, |s, d| s & !d),
@@ -363,5 +366,4 @@ fn a_program_says_what_it_does() {
     assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "blending"), Some(Fate::Kept));
     (state.fog.enabled, state.fog.density) = (true, 1e-30);
     assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "fog"), Some(Fate::Kept));
-    let _ = contents;
 }

@@ -1,0 +1,268 @@
+//! From the state to a fragment program. Each stage is kept or left out by an exact condition on the state, never by an
+//! "almost" on floats: a program built with [`Options::general`] keeps everything and gives the same bytes. The order is
+//! that of the specification (texturing, colour sum, fog, coverage, alpha, stencil, depth, blending, logic op, masks),
+//! except that stencil and depth tests move to the front where nothing between them and there can tell the difference.
+
+mod colors;
+mod store;
+
+use super::compare::Func;
+use super::interpolate::FIRST;
+use super::planes::Layout;
+use super::program::{Action, Decision, Fate, Options, Program};
+use super::stencil::StencilOp;
+use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
+use super::{alpha, depth, stencil};
+use crate::batch::{Level, Stage, Step};
+use crate::enums::{GL_NONE, GL_NOOP};
+use crate::framebuffer::FramebufferFormat;
+use crate::limits::MAX_TEXTURE_UNITS;
+use crate::num::clamp01;
+use crate::state::State;
+use crate::texture::object::TextureObject;
+
+/// A program in the making.
+struct Builder<'a> {
+    level: Level,
+    state: &'a State,
+    format: &'a FramebufferFormat,
+    options: Options,
+    /// Whether the next stage that interpolates has to compute 1 / D.
+    first: bool,
+    program: Program,
+}
+
+/// What the tests do, decided before any stage is placed.
+struct Tests {
+    alpha: Option<Func>,
+    stencil: Option<Func>,
+    stencil_write: bool,
+    depth: Option<Func>,
+    depth_write: bool,
+}
+
+impl Program {
+    /// The program for a state. `textures` are the complete textures of the units that have texturing on, their rings
+    /// filled ([`crate::texture::sampler::prepare`]).
+    #[must_use]
+    pub fn build(
+        level: Level,
+        state: &State,
+        textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
+        format: &FramebufferFormat,
+        options: Options,
+    ) -> Self {
+        let program = Self {
+            layout: Layout::default(),
+            reads_framebuffer: false,
+            draws_nothing: false,
+            coverage: options.coverage,
+            decisions: Vec::new(),
+            uniforms: FragUniforms::default(),
+            actions: Vec::new(),
+            samplers: Vec::new(),
+            environments: None,
+        };
+        let level = level.at_most_available();
+        let mut b = Builder { level, state, format, options, first: true, program };
+        b.build(textures);
+        b.program
+    }
+}
+
+impl Builder<'_> {
+    fn build(&mut self, textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS]) {
+        let general = self.options.general;
+        let writes_color = self.masks();
+        let tests = self.tests();
+        let count = self.options.count_samples;
+        self.program.draws_nothing = !writes_color && !tests.depth_write && !tests.stencil_write && !count;
+        let needs_color = writes_color || tests.alpha.is_some();
+        self.push(&depth::BEGIN, 0);
+        // With an alpha test and no stencil the depth test may still come first, if depths are written later.
+        let early = tests.alpha.is_none() && !general;
+        let early_depth = !early && !general && tests.stencil.is_none() && tests.depth.is_some();
+        if early {
+            self.stencil_and_depth(&tests, tests.depth_write);
+            self.count_and_stop(&tests, count);
+        } else if early_depth {
+            self.stencil_and_depth(&tests, false);
+            self.program.actions.push(Action::StopIfDead);
+        }
+        if tests.stencil.is_some() || tests.depth.is_some() {
+            let (fate, reason) = match (early, early_depth) {
+                (true, _) => (Fate::Hoisted, "no alpha test: fragments that fail are neither coloured nor textured"),
+                (_, true) => (Fate::Hoisted, "the depth test comes first, depths are written after the alpha test"),
+                _ => (Fate::Kept, "after the alpha test, which decides who comes to them"),
+            };
+            self.decide("order of the tests", fate, reason);
+        }
+        if needs_color {
+            let packed = !self.format.float;
+            let blend = self.blending();
+            let logic_op = self.logic_op();
+            let packable = packed && blend.is_none() && logic_op.is_none();
+            let kills = tests.alpha.is_some() || tests.stencil.is_some() || tests.depth.is_some();
+            let direct = packable && writes_color && !kills && self.program.uniforms.color_mask == u32::MAX;
+            let plain = self.colors(textures, tests.alpha, packable, direct);
+            self.finish_layout();
+            if !early {
+                self.alpha_test(&tests);
+                if early_depth {
+                    if tests.depth_write {
+                        self.push(&depth::DEPTH_WRITE, 0);
+                    }
+                } else {
+                    self.stencil_and_depth(&tests, tests.depth_write);
+                }
+                self.count_and_stop(&tests, count);
+            }
+            if direct && plain {
+                self.decide("store", Fate::Hoisted, "with the colour, since no test can kill a fragment");
+            } else if writes_color {
+                self.store(plain, blend, logic_op);
+            }
+        } else {
+            self.decide("colour", Fate::LeftOut, "no colour channel is written and no test looks at alpha");
+            if general {
+                self.stencil_and_depth(&tests, tests.depth_write);
+                self.count_and_stop(&tests, count);
+            }
+        }
+        self.program.uniforms.layout = self.program.layout.clone();
+    }
+
+    /// Appends a stage.
+    fn push(&mut self, stage: &Stage<FragFn>, arg: u32) {
+        let run = stage.levels[self.level as usize];
+        self.program.actions.push(Action::Stage(Step { name: stage.name, run, arg }));
+    }
+
+    /// Notes a decision.
+    fn decide(&mut self, stage: impl Into<String>, fate: Fate, reason: impl Into<String>) {
+        self.program.decisions.push(Decision { stage: stage.into(), fate, reason: reason.into() });
+    }
+
+    /// [`FIRST`] for the first stage that needs 1 / D, 0 for the others.
+    fn first(&mut self) -> u32 {
+        if std::mem::take(&mut self.first) { FIRST } else { 0 }
+    }
+
+    /// Masks and units of the stores; gives whether any colour is written.
+    fn masks(&mut self) -> bool {
+        let c = &self.state.color_buffer;
+        let mask = crate::framebuffer::packed_mask(c.color_mask);
+        let noop = c.logic_op_enabled && c.logic_op == GL_NOOP && !self.format.float;
+        let u = &mut self.program.uniforms;
+        u.color_mask = if c.draw_buffer == GL_NONE || noop { 0 } else { mask };
+        u.packed_or = crate::framebuffer::no_alpha_bits(self.format);
+        u.depth_max = f64::from(self.format.depth_max());
+        (u.scale, u.limit) = if self.format.float { (1.0, f32::MAX) } else { (255.0, 255.0) };
+        u.alpha_ref = clamp01(c.alpha_ref);
+        u.color_mask != 0
+    }
+
+    /// Which tests there are.
+    fn tests(&mut self) -> Tests {
+        let general = self.options.general;
+        let (c, d, s) = (&self.state.color_buffer, &self.state.depth, &self.state.stencil);
+        let alpha = if c.alpha_test { Func::from_enum(c.alpha_func) } else { Func::Always };
+        let depth_on = d.test && self.format.depth_bits != 0;
+        let depth = if depth_on { Func::from_enum(d.func) } else { Func::Always };
+        let depth_write = depth_on && d.mask && depth != Func::Never;
+        let stencil_on = s.test && self.format.stencil_bits != 0;
+        let func = if stencil_on { Func::from_enum(s.func) } else { Func::Always };
+        let op = |on: bool, value| if stencil_on && on { StencilOp::from_enum(value) } else { StencilOp::Keep };
+        let stencil = StencilUniforms {
+            reference: s.reference.clamp(0, 255).cast_unsigned(),
+            value_mask: s.value_mask & 0xFF,
+            write_mask: if stencil_on { s.write_mask & 0xFF } else { 0 },
+            fail: op(func != Func::Always, s.fail),
+            depth_fail: op(func != Func::Never && depth != Func::Always, s.depth_fail),
+            pass: op(func != Func::Never && depth != Func::Never, s.depth_pass),
+        };
+        let keeps = [stencil.fail, stencil.depth_fail, stencil.pass].iter().all(|op| *op == StencilOp::Keep);
+        let stencil_write = stencil.write_mask != 0 && !keeps;
+        self.program.uniforms.stencil = stencil;
+        let keep_stencil = func != Func::Always || stencil_write || (general && self.format.stencil_bits != 0);
+        let keep_depth = depth != Func::Always || depth_write || (general && self.format.depth_bits != 0);
+        let off = |on: bool, what: &str| match on {
+            true => format!("{what} is on, but passes every fragment and writes nothing"),
+            false => format!("{what} is off, or the framebuffer has no such buffer"),
+        };
+        if alpha != Func::Always || general {
+            self.decide("alpha test", Fate::Kept, format!("{} on the alpha rounded as the store does", alpha.name()));
+        } else {
+            self.decide("alpha test", Fate::LeftOut, off(c.alpha_test, "the alpha test"));
+        }
+        if keep_stencil {
+            let writes = if stencil_write { "writes" } else { "writes nothing" };
+            self.decide("stencil test", Fate::Kept, format!("{}, {writes}", func.name()));
+        } else {
+            self.decide("stencil test", Fate::LeftOut, off(stencil_on, "the stencil test"));
+        }
+        if keep_depth {
+            let writes = if depth_write { "writes" } else { "writes nothing" };
+            self.decide("depth test", Fate::Kept, format!("{}, {writes}", depth.name()));
+        } else {
+            self.decide("depth test", Fate::LeftOut, format!("no depth is computed: {}", off(depth_on, "the test")));
+        }
+        Tests {
+            alpha: (alpha != Func::Always || general).then_some(alpha),
+            stencil: keep_stencil.then_some(func),
+            stencil_write: stencil_write || (general && keep_stencil),
+            depth: keep_depth.then_some(depth),
+            depth_write,
+        }
+    }
+
+    /// Stencil and depth stages.
+    fn stencil_and_depth(&mut self, tests: &Tests, depth_write: bool) {
+        if let Some(func) = tests.stencil {
+            self.push(&stencil::STENCIL_TEST, func as u32);
+            self.program.reads_framebuffer = true;
+        }
+        if let Some(func) = tests.depth {
+            self.push(&depth::DEPTH, 0);
+            if func == Func::Always && !self.options.general {
+                if depth_write {
+                    self.push(&depth::DEPTH_WRITE, 0);
+                }
+            } else {
+                self.push(&depth::DEPTH_TEST, (func as u32) << 1 | if depth_write { depth::WRITE } else { 0 });
+                self.program.reads_framebuffer = true;
+            }
+        }
+        if tests.stencil.is_some() && tests.stencil_write {
+            self.push(&stencil::STENCIL_WRITE, 0);
+        }
+    }
+
+    /// What follows when all tests are done.
+    fn count_and_stop(&mut self, tests: &Tests, count: bool) {
+        if count {
+            self.push(&depth::COUNT_SAMPLES, 0);
+        }
+        if tests.stencil.is_some() || tests.depth.is_some() || tests.alpha.is_some() {
+            self.program.actions.push(Action::StopIfDead);
+        }
+    }
+
+    /// The alpha test.
+    fn alpha_test(&mut self, tests: &Tests) {
+        if let Some(func) = tests.alpha {
+            let stage = if self.format.float { &alpha::ALPHA_TEST_FLOAT } else { &alpha::ALPHA_TEST };
+            self.push(stage, func as u32);
+            if !self.options.general {
+                self.program.actions.push(Action::StopIfDead);
+            }
+        }
+    }
+
+    /// Takes `n` slots of a vertex.
+    fn slots(&mut self, n: usize) -> usize {
+        let slot = self.program.layout.count;
+        self.program.layout.count += n;
+        slot
+    }
+}

@@ -1,0 +1,113 @@
+//! The end of a program: blending, logic op, colour mask and the store.
+
+use super::super::blend::{BLEND, BLEND_PACKED, Equation, Factor, packed_pair};
+use super::super::program::Fate;
+use super::super::uniforms::BlendUniforms;
+use super::super::{float_store, logic_op, pack};
+use super::Builder;
+use crate::enums::{GL_CLEAR, GL_COPY, GL_SET, name};
+use crate::num::clamp01;
+
+/// How a program blends.
+#[derive(Clone, Copy)]
+pub(super) enum Blending {
+    /// By a pair of factors that has a loop of its own.
+    Packed(u32),
+    /// By any factors and equation.
+    Any,
+}
+
+impl Builder<'_> {
+    /// Which blending there is.
+    pub(super) fn blending(&mut self) -> Option<Blending> {
+        let general = self.options.general;
+        let c = &self.state.color_buffer;
+        let blend = BlendUniforms {
+            src: c.blend_src.map(Factor::from_enum),
+            dst: c.blend_dst.map(Factor::from_enum),
+            equation: Equation::from_enum(c.blend_equation),
+            color: c.blend_color.map(clamp01),
+        };
+        let off = BlendUniforms { src: [Factor::One; 2], dst: [Factor::Zero; 2], ..BlendUniforms::default() };
+        let copies = blend.equation == Equation::Add && blend.src == off.src && blend.dst == off.dst;
+        let reason = match (c.blend, c.logic_op_enabled && !self.format.float, copies) {
+            (false, ..) => "GL_BLEND is off",
+            (_, true, _) => "a logic op takes its place",
+            (.., true) => "ONE, ZERO gives the fragment's colour: the framebuffer is not read",
+            _ => {
+                let names = [c.blend_src[0], c.blend_dst[0]].map(name);
+                self.program.uniforms.blend = blend;
+                self.program.reads_framebuffer = true;
+                self.decide("blending", Fate::Kept, format!("factors {}, {}", names[0], names[1]));
+                let pair = if general || self.format.float { None } else { packed_pair(&blend) };
+                return Some(pair.map_or(Blending::Any, Blending::Packed));
+            }
+        };
+        self.decide("blending", if general { Fate::Kept } else { Fate::LeftOut }, reason);
+        self.program.uniforms.blend = off;
+        general.then_some(Blending::Any)
+    }
+
+    /// The logic op's number.
+    pub(super) fn logic_op(&mut self) -> Option<u32> {
+        let c = &self.state.color_buffer;
+        let general = self.options.general && !self.format.float;
+        let on = c.logic_op_enabled && (GL_CLEAR..=GL_SET).contains(&c.logic_op);
+        let (fate, reason) = match (on, self.format.float, c.logic_op == GL_COPY) {
+            (false, ..) => (Fate::LeftOut, "GL_COLOR_LOGIC_OP is off".to_string()),
+            (_, true, _) => (Fate::LeftOut, "floats have no bits to combine".to_string()),
+            (.., true) => (Fate::LeftOut, "GL_COPY stores the fragment's colour".to_string()),
+            _ => (Fate::Kept, format!("operation {}", c.logic_op - GL_CLEAR)),
+        };
+        self.decide("logic op", if general { Fate::Kept } else { fate }, reason);
+        match fate {
+            Fate::Kept => {
+                self.program.reads_framebuffer = true;
+                Some(c.logic_op - GL_CLEAR)
+            }
+            _ => general.then_some(GL_COPY - GL_CLEAR),
+        }
+    }
+
+    /// Blending, logic op, mask and store.
+    pub(super) fn store(&mut self, packed: bool, blend: Option<Blending>, logic_op: Option<u32>) {
+        let masked = self.program.uniforms.color_mask != u32::MAX;
+        if masked {
+            self.program.reads_framebuffer = true;
+            self.decide("colour mask", Fate::Kept, "some channels are protected: they are read and written back");
+        } else {
+            self.decide("colour mask", Fate::LeftOut, "all channels are written");
+        }
+        if self.format.float {
+            if blend.is_some() {
+                self.push(&float_store::LOAD_FLOAT, 0);
+                self.push(&BLEND, 0);
+            } else {
+                self.push(&float_store::COPY_FLOAT, 0);
+            }
+            self.push(&float_store::STORE_FLOAT, 0);
+            return;
+        }
+        if blend.is_some() || logic_op.is_some() || masked || self.options.general {
+            self.push(&pack::LOAD, 0);
+        }
+        match blend {
+            Some(Blending::Packed(pair)) => self.push(&BLEND_PACKED, pair),
+            Some(Blending::Any) => {
+                self.push(&pack::UNPACK, 0);
+                self.push(&BLEND, 0);
+                self.push(&pack::PACK_BLENDED, 0);
+            }
+            None if !packed => self.push(&pack::PACK, 0),
+            None => {}
+        }
+        if let Some(op) = logic_op {
+            self.push(&logic_op::LOGIC_OP, op);
+        }
+        if masked || self.options.general {
+            self.push(&pack::COLOR_MASK, 0);
+        }
+        self.push(&pack::STORE, 0);
+        self.decide("store", Fate::Kept, "rounded to the nearest; dithering is rounding");
+    }
+}
