@@ -17,7 +17,7 @@ impl Random {
     }
 
     fn chance(&mut self, one_in: u32) -> bool {
-        self.bits() % one_in == 0
+        self.bits().is_multiple_of(one_in)
     }
 
     fn pick<T: Copy>(&mut self, of: &[T]) -> T {
