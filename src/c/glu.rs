@@ -238,7 +238,6 @@ pub fn gluNewQuadric() -> GLUquadric {
 }
 
 /// Ends a quadric. (Going out of scope does the same.)
-#[expect(clippy::needless_pass_by_value, reason = "what is taken is gone")]
 pub fn gluDeleteQuadric(_quadric: GLUquadric) {}
 
 /// See [`Quadric::draw_style`](crate::glu::Quadric::draw_style).

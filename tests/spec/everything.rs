@@ -183,7 +183,7 @@ fn random_scene(r: &mut Random) -> Scene {
         scene.fog = Some(Fog { mode, density: 0.125, start: 1.0, end: 12.0, color });
         scene.vertex.fog_from_coordinate = r.below(3) == 0;
     }
-    scene.alpha = (r.below(4) == 0).then(|| (GL_GREATER, 0.25));
+    scene.alpha = (r.below(4) == 0).then_some((GL_GREATER, 0.25));
     scene.depth = (r.below(2) == 0).then_some((GL_LEQUAL, true));
     if r.below(2) == 0 {
         scene.blend = Some(Blend::func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
