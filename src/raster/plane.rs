@@ -77,6 +77,8 @@ pub struct Values<'a> {
 pub struct Pool {
     planes: Vec<Plane>,
     used: usize,
+    /// Where planes are computed before they are put in place.
+    four: Four,
 }
 
 impl Pool {
@@ -97,15 +99,15 @@ impl Pool {
         self.used = self.used.min(len);
     }
 
-    /// Takes some more into use, of whatever contents.
+    /// Takes some more into use, of whatever contents; with them goes the place to compute them in.
     #[inline]
-    fn more(&mut self, count: usize) -> &mut [Plane] {
+    fn more(&mut self, count: usize) -> (&mut [Plane], &mut Four) {
         let first = self.used;
         self.used += count;
         if self.used > self.planes.len() {
             self.planes.resize((2 * self.planes.len()).max(self.used + 256), Plane::default());
         }
-        self.planes.get_mut(first..first + count).unwrap_or(&mut [])
+        (self.planes.get_mut(first..first + count).unwrap_or(&mut []), &mut self.four)
     }
 }
 
@@ -154,9 +156,9 @@ impl Recipe {
         let count = self.layout.count;
         planes.first = pool.len() as u32;
         (planes.d, planes.affine, planes.wide) = (weights.d, weights.affine, 0);
-        let out = pool.more(count);
-        self.span(&weights, values.corner, 0, out);
-        self.colors(&weights, values, out);
+        let (out, four) = pool.more(count);
+        self.span(&weights, values.corner, 0, four, out);
+        self.colors(&weights, values, four, out);
         let d = weights.d;
         if weights.bound(d.at, d.x, d.y) > 2048.0 * weights.far
             && super::coordinate::denominator_error(basis, &d, weights.r) > 2048.0
@@ -172,7 +174,7 @@ impl Recipe {
 
     /// The planes of the slots from one on; slots that a vertex lacks are 0.
     #[inline]
-    fn span(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, out: &mut [Plane]) {
+    fn span(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, four: &mut Four, out: &mut [Plane]) {
         let [f0, f1, f2] = corner;
         let slots = from..from + out.len();
         let (Some(f0), Some(f1), Some(f2)) = (f0.get(slots.clone()), f1.get(slots.clone()), f2.get(slots)) else {
@@ -180,13 +182,12 @@ impl Recipe {
             return;
         };
         let count = out.len();
-        let mut four = Four::default();
         let mut at = 0;
         // The last four are made even where that repeats some: the result is the same.
         while let (Some(a), Some(b), Some(c), Some(to)) =
             (four_of(f0, at), four_of(f1, at), four_of(f2, at), out.get_mut(at..at + 4))
         {
-            self.four(weights, [a, b, c], &mut four, to);
+            self.four(weights, [a, b, c], four, to);
             if at + 4 == count {
                 return;
             }
@@ -196,7 +197,7 @@ impl Recipe {
         for (i, ((f0, f1), f2)) in f0.iter().zip(f1).zip(f2).enumerate().take(4) {
             (a[i], b[i], c[i]) = (*f0, *f1, *f2);
         }
-        self.four(weights, [&a, &b, &c], &mut four, out);
+        self.four(weights, [&a, &b, &c], four, out);
     }
 
     /// Up to four planes.
@@ -217,7 +218,7 @@ impl Recipe {
     }
 
     /// Colours once more where they are not simply those of the corners: flat shading, back faces.
-    fn colors(&self, weights: &Weights, values: &Values, out: &mut [Plane]) {
+    fn colors(&self, weights: &Weights, values: &Values, four: &mut Four, out: &mut [Plane]) {
         let back = if values.back { self.layout.back } else { None };
         if !self.flat && back.is_none() {
             return;
@@ -228,7 +229,7 @@ impl Recipe {
         for (to, from, n) in [primary, secondary].into_iter().flatten() {
             let corners = if self.flat { [values.provoking; 3] } else { values.corner };
             if let Some(out) = out.get_mut(to..to + n) {
-                self.span(weights, corners, from, out);
+                self.span(weights, corners, from, four, out);
             }
         }
     }

@@ -149,7 +149,7 @@ impl Geometry {
     }
 
     /// The planes of a filled triangle, its slots in the pool.
-    #[inline]
+    #[inline(always)]
     pub(super) fn triangle_planes(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode) -> Planes {
         let v = t.v.map(|v| v.head);
         let (origin, det) = (origin(&v), pixels(area));
