@@ -135,10 +135,12 @@ pub(super) fn sanitise(b: &mut FragmentBatch) {
     b.segment_count = count;
     let mut dense = true;
     for segment in &mut b.segments[..count] {
-        let start = if segment.start as usize > LANES { LANES as u32 } else { segment.start };
-        let room = LANES as u32 - start;
-        segment.start = start;
-        segment.len = if segment.len > room { room } else { segment.len };
+        // Written only where it must be: what was just written is read again at once.
+        let room = (LANES as u32).saturating_sub(segment.start);
+        if segment.start > LANES as u32 || segment.len > room {
+            segment.start = segment.start.min(LANES as u32);
+            segment.len = segment.len.min(room);
+        }
         dense &= !segment.row;
     }
     b.dense = dense;
