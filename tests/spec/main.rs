@@ -6,6 +6,7 @@ mod oracle;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod absurd;
 mod anisotropy;
 mod arrays;
 mod attrib;
@@ -21,6 +22,7 @@ mod fog;
 mod glu;
 mod glu_numbers;
 mod lighting;
+mod lines;
 mod lists;
 mod lod;
 mod pixels;
