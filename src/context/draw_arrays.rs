@@ -8,7 +8,7 @@ use super::buffers::Buffers;
 use super::engine::Engine;
 use super::fetch::Sources;
 use super::hooks::ArrayElement;
-use super::pixels_arg::{Indices, index_size};
+use super::pixels_arg::{ArrayData, Indices, index_size};
 use crate::batch::LANES;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
@@ -170,20 +170,44 @@ impl Engine {
         enabled
     }
 
+    /// How many of `count` elements from `first` on have a position, as far as the length of the memory is known: a count
+    /// of two thousand millions over a short array must not take minutes.
+    pub(crate) fn elements_there(&self, first: i32, count: i32) -> i32 {
+        let p = &self.client.arrays.pointers[Attribute::Vertex as usize];
+        let (element, stride) = (p.element_bytes(), p.stride_bytes().max(1));
+        let (bytes, start) = match (&p.data, p.buffer) {
+            (ArrayData::Values(values), 0) => (values.len(), p.offset),
+            (ArrayData::Offset(_), 0) => (0, 0),
+            (ArrayData::Client(_), 0) => return count,
+            (data, buffer) => {
+                let start = if matches!(data, ArrayData::Values(_)) { 0 } else { data.address() };
+                (self.buffers.get(buffer).map_or(0, |b| b.data.len()), start.saturating_add(p.offset))
+            }
+        };
+        let there = match bytes.checked_sub(start).and_then(|rest| rest.checked_sub(element)) {
+            Some(rest) if p.enabled => rest / stride + 1,
+            _ => 0,
+        };
+        let from_first = there.saturating_sub(first.max(0).unsigned_abs() as usize);
+        count.min(i32::try_from(from_first).unwrap_or(i32::MAX))
+    }
+
     pub(crate) fn draw_arrays(&mut self, mode: GLenum, first: i32, count: i32) -> Outcome {
         self.check_draw(mode, count)?;
+        let there = self.elements_there(first, count).unsigned_abs();
         let Ok(first) = u32::try_from(first) else {
             return Err(invalid_value(format!("first = {first} is negative")));
         };
         if count == 0 || !self.start_arrays(mode) {
             return Ok(());
         }
-        let end = first + count.unsigned_abs();
+        let end = first + there;
+        let last = first + count.unsigned_abs() - 1;
         let Self { pipe, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let needs = pipe.plan.needs;
-        let sources = Sources::new(&client.arrays, buffers, (first, end - 1), |place| Sources::wanted(place, needs));
+        let sources = Sources::new(&client.arrays, buffers, (first, last), |place| Sources::wanted(place, needs));
         sources.defaults(&mut pipe.batch);
-        let short = sources.too_short(end - 1);
+        let short = sources.too_short(last);
         let cut = pipe.cut() as u32;
         let mut at = first;
         while at < end {
@@ -202,7 +226,7 @@ impl Engine {
         if let Some((place, there)) = short {
             self.note(format!(
                 "glDrawArrays asks for {count} elements from element {first} on, but the {} array has only {there} of \
-                 them; zeros stand for the rest",
+                 them; zeros stand for the rest, and what has no position is not drawn",
                 super::arrays::place_name(place)
             ));
         }

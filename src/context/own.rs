@@ -185,7 +185,7 @@ pub(crate) fn draw_arrays(cx: &mut Context, name: &'static str, mode: GLenum, fi
         cx,
         name,
         (mode, count),
-        |_| consecutive(first, count),
+        |cx| consecutive(first, cx.engine.elements_there(first, count)),
         |cx| outcome(cx.engine.draw_arrays(mode, first, count)),
     );
 }
