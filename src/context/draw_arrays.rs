@@ -22,6 +22,8 @@ const CHUNK_INDICES: usize = 6 * CHUNK_VERTICES as usize;
 const FEED: usize = 768;
 /// Places of the cache; a vertex has one place, by its index.
 const PLACES: usize = 8192;
+/// Elements beyond the end of the array of positions that DrawArrays still draws, as zeros.
+const ZEROS: usize = 1 << 16;
 /// Bits of an id of the pool: ids are below [`CHUNK_VERTICES`] plus what a primitive holds.
 const ID_BITS: u32 = 13;
 
@@ -170,8 +172,8 @@ impl Engine {
         enabled
     }
 
-    /// How many of `count` elements from `first` on have a position, as far as the length of the memory is known: a count
-    /// of two thousand millions over a short array must not take minutes.
+    /// How many of `count` elements from `first` on are drawn: those that have a position, as far as the length of the
+    /// memory is known, and [`ZEROS`] more, since a count of two thousand millions over a short array must not take minutes.
     pub(crate) fn elements_there(&self, first: i32, count: i32) -> i32 {
         let p = &self.client.arrays.pointers[Attribute::Vertex as usize];
         let (element, stride) = (p.element_bytes(), p.stride_bytes().max(1));
@@ -189,7 +191,7 @@ impl Engine {
             _ => 0,
         };
         let from_first = there.saturating_sub(first.max(0).unsigned_abs() as usize);
-        count.min(i32::try_from(from_first).unwrap_or(i32::MAX))
+        count.min(i32::try_from(from_first.saturating_add(ZEROS)).unwrap_or(i32::MAX))
     }
 
     pub(crate) fn draw_arrays(&mut self, mode: GLenum, first: i32, count: i32) -> Outcome {
@@ -226,7 +228,7 @@ impl Engine {
         if let Some((place, there)) = short {
             self.note(format!(
                 "glDrawArrays asks for {count} elements from element {first} on, but the {} array has only {there} of \
-                 them; zeros stand for the rest, and what has no position is not drawn",
+                 them; zeros stand for the rest",
                 super::arrays::place_name(place)
             ));
         }
