@@ -76,3 +76,7 @@ pub mod texture;
 pub mod vertex;
 
 pub use context::{Context, Error};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

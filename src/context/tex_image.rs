@@ -315,11 +315,3 @@ impl Engine {
 fn no_image(level: usize) -> GlError {
     invalid_operation(format!("there is no image at level {level} yet; specify it with glTexImage first"))
 }
-
-/// The image in an `Arc`, to be written: the same memory where nobody else holds it, else a copy.
-pub(crate) fn writable(image: &mut Arc<Image>) -> Outcome<&mut Image> {
-    if Arc::get_mut(image).is_none() {
-        *image = Arc::new(image.try_clone()?);
-    }
-    Arc::get_mut(image).ok_or_else(|| out_of_memory("no memory for a copy of the image"))
-}

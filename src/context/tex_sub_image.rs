@@ -3,7 +3,7 @@
 
 use super::Pixels;
 use super::engine::Engine;
-use super::tex_image::{Place, Request, client_image, dimensions_of, place, writable};
+use super::tex_image::{Place, Request, client_image, dimensions_of, place};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_operation, invalid_value};
 use crate::pixels::{PixelFormat, Purpose, Transfer};
@@ -96,7 +96,7 @@ impl Engine {
         let object = self.textures.object_mut(place.target, bound);
         if let Some(Some(image)) = object.faces.get_mut(place.face).and_then(|levels| levels.get_mut(level)) {
             let transfer = Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
-            write(writable(image)?, transfer)?;
+            write(Image::writable(image)?, transfer)?;
         }
         self.after_image_change(place, level)
     }
@@ -219,7 +219,7 @@ impl Engine {
             object.faces.get_mut(place.face).and_then(|levels| levels.get_mut(level)).and_then(Option::take)
         };
         let Some(mut image) = slot(self) else { return Ok(()) };
-        let written = writable(&mut image).and_then(|image| self.copy_rows(image, offset, from, size));
+        let written = Image::writable(&mut image).and_then(|image| self.copy_rows(image, offset, from, size));
         let object = self.textures.object_mut(place.target, bound);
         object.faces[place.face][level] = Some(image);
         written?;

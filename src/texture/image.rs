@@ -9,6 +9,7 @@ use super::pads::PadKey;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
 use crate::limits::MAX_IMAGE_TEXELS;
+use std::sync::Arc;
 
 /// How many dimensions of an image are padded: those that its target has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -150,6 +151,14 @@ impl Image {
             pads: None,
             bordered: None,
         })
+    }
+
+    /// The image in an `Arc`, to be written: the same memory where nobody else holds it, else a copy.
+    pub fn writable(image: &mut Arc<Image>) -> Outcome<&mut Image> {
+        if Arc::get_mut(image).is_none() {
+            *image = Arc::new(image.try_clone()?);
+        }
+        Arc::get_mut(image).ok_or_else(|| out_of_memory("no memory for a copy of the image"))
     }
 
     /// A copy, or OUT_OF_MEMORY.

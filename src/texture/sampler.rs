@@ -4,6 +4,7 @@
 
 use super::batch::TexBatch;
 use super::format::{BaseFormat, Storage};
+use super::image::Image;
 use super::object::TextureObject;
 use super::pads::PadKey;
 use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
@@ -52,7 +53,7 @@ pub fn prepare(object: &mut TextureObject) -> Outcome {
     for face in &mut object.faces {
         for image in face.iter_mut().skip(base).take(last - base + 1).flatten() {
             if !image.pads_are(&key) {
-                Arc::make_mut(image).fill_pads(&key)?;
+                Image::writable(image)?.fill_pads(&key)?;
             }
         }
     }
