@@ -4,6 +4,7 @@
 use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation};
+use crate::num::clamp01;
 use crate::state::Dirty;
 
 const FRAGMENT: Dirty = Dirty { vertex: false, fragment: true, raster: false };
@@ -13,10 +14,6 @@ fn compare_function(func: GLenum) -> Outcome {
         return Ok(());
     }
     Err(invalid_enum(format!("{} is not a comparison function (GL_NEVER to GL_ALWAYS)", name(func))))
-}
-
-fn clamp01(v: f32) -> f32 {
-    v.max(0.0).min(1.0)
 }
 
 fn blend_factor(factor: GLenum, source: bool) -> Outcome {

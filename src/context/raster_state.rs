@@ -6,6 +6,7 @@ use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_value};
 use crate::limits::{MAX_CLIP_PLANES, MAX_VIEWPORT_DIM};
+use crate::num::clamp01;
 use crate::state::Dirty;
 use glam::{DMat4, DVec4};
 
@@ -155,7 +156,7 @@ impl Engine {
             }
             GL_FOG_COLOR => {
                 params.vector_only("Fog", pname)?;
-                fog.color = params.color().map(|c| c.max(0.0).min(1.0));
+                fog.color = params.color().map(clamp01);
             }
             GL_FOG_DENSITY => {
                 let density = params.scalar();
@@ -192,7 +193,7 @@ impl Engine {
     }
 
     pub(crate) fn sample_coverage(&mut self, value: f32, invert: bool) {
-        self.state.multisample.coverage_value = value.max(0.0).min(1.0);
+        self.state.multisample.coverage_value = clamp01(value);
         self.state.multisample.coverage_invert = invert;
         self.dirty.add(Dirty { vertex: false, fragment: true, raster: false });
     }

@@ -7,6 +7,7 @@ use super::raster_state::to_eye_plane;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_value};
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::num::clamp01;
 use crate::state::Dirty;
 use crate::state::texture::Env;
 
@@ -100,7 +101,7 @@ fn set_env(env: &mut Env, pname: GLenum, params: &Params) -> Outcome {
         },
         GL_TEXTURE_ENV_COLOR => {
             params.vector_only("TexEnv", pname)?;
-            env.color = params.color().map(|c| c.max(0.0).min(1.0));
+            env.color = params.color().map(clamp01);
         }
         GL_COMBINE_RGB | GL_COMBINE_ALPHA => {
             let alpha = pname == GL_COMBINE_ALPHA;

@@ -6,6 +6,7 @@ use super::engine::Engine;
 use super::{Params, Values};
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::num::clamp01;
 use crate::state::Dirty;
 use crate::state::texture::{Target, TexParameters};
 use crate::texture::object::TextureObject;
@@ -148,7 +149,7 @@ impl Engine {
         not_negative("n", n)?;
         for (texture, priority) in names.iter().zip(priorities).take(n as usize) {
             if let Some(Some(object)) = self.textures.named.get_mut(texture) {
-                object.parameters.priority = priority.max(0.0).min(1.0);
+                object.parameters.priority = clamp01(*priority);
             }
         }
         Ok(())
@@ -250,9 +251,9 @@ fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &
         },
         GL_TEXTURE_BORDER_COLOR => {
             params.vector_only("TexParameter", pname)?;
-            p.border_color = params.color().map(|c| c.max(0.0).min(1.0));
+            p.border_color = params.color().map(clamp01);
         }
-        GL_TEXTURE_PRIORITY => p.priority = params.scalar().max(0.0).min(1.0),
+        GL_TEXTURE_PRIORITY => p.priority = clamp01(params.scalar()),
         GL_TEXTURE_MIN_LOD => p.min_lod = params.scalar(),
         GL_TEXTURE_MAX_LOD => p.max_lod = params.scalar(),
         GL_TEXTURE_LOD_BIAS => p.lod_bias = params.scalar(),

@@ -1,6 +1,6 @@
 //! Each stage against its equation, evaluated in f64 or in integers straight from the specification.
 
-use super::{Feed, Random, Scene, draw, flat, pixel, program};
+use super::{FACTORS, Feed, Random, Scene, draw, flat, pixel, program};
 use crate::batch::Level;
 use crate::enums::*;
 use crate::fragment::program::{Fate, Options};
@@ -55,23 +55,6 @@ fn factor(name: GLenum, c: usize, s: [f64; 4], d: [f64; 4], k: [f64; 4]) -> f64 
 
 #[test]
 fn blending_is_the_equation() {
-    const FACTORS: [GLenum; 15] = [
-        GL_ZERO,
-        GL_ONE,
-        GL_SRC_COLOR,
-        GL_ONE_MINUS_SRC_COLOR,
-        GL_DST_COLOR,
-        GL_ONE_MINUS_DST_COLOR,
-        GL_SRC_ALPHA,
-        GL_ONE_MINUS_SRC_ALPHA,
-        GL_DST_ALPHA,
-        GL_ONE_MINUS_DST_ALPHA,
-        GL_CONSTANT_COLOR,
-        GL_ONE_MINUS_CONSTANT_COLOR,
-        GL_CONSTANT_ALPHA,
-        GL_ONE_MINUS_CONSTANT_ALPHA,
-        GL_SRC_ALPHA_SATURATE,
-    ];
     let mut r = Random::new(3);
     let mut state = State::default();
     state.color_buffer.blend = true;

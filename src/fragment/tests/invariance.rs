@@ -1,7 +1,7 @@
 //! The same bytes whatever is left out, however the fragments come, at every level; and no panic whatever comes.
 
 use super::super::planes::{Linear, Plane, Planes};
-use super::{Feed, Random, Scene, contents, draw, program};
+use super::{FACTORS, Feed, Random, Scene, contents, draw, program};
 use crate::batch::Level;
 use crate::enums::*;
 use crate::fragment::program::Options;
@@ -10,23 +10,6 @@ use crate::state::State;
 
 const FUNCS: [GLenum; 8] = [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];
 const OPS: [GLenum; 8] = [GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP];
-const FACTORS: [GLenum; 15] = [
-    GL_ZERO,
-    GL_ONE,
-    GL_SRC_COLOR,
-    GL_ONE_MINUS_SRC_COLOR,
-    GL_DST_COLOR,
-    GL_ONE_MINUS_DST_COLOR,
-    GL_SRC_ALPHA,
-    GL_ONE_MINUS_SRC_ALPHA,
-    GL_DST_ALPHA,
-    GL_ONE_MINUS_DST_ALPHA,
-    GL_CONSTANT_COLOR,
-    GL_ONE_MINUS_CONSTANT_COLOR,
-    GL_CONSTANT_ALPHA,
-    GL_ONE_MINUS_CONSTANT_ALPHA,
-    GL_SRC_ALPHA_SATURATE,
-];
 
 /// A random state of everything after interpolation.
 fn state(r: &mut Random) -> State {
