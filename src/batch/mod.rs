@@ -58,6 +58,9 @@ impl<F: Copy> Plan<F> {
     }
 }
 
+/// Builds for measuring may pass `--cfg fixedgl_only_avx512` (or `_avx2`) to compile one level only, which takes a third
+/// of the time; what they build must run on a processor that has it.
+///
 /// Defines stages: `stage! { /// doc
 /// pub fn NAME: FnType = (b: &mut Batch, u: &Uniforms, arg: u32) { body } }` makes `pub static NAME: Stage<FnType>`.
 macro_rules! stage {
@@ -66,15 +69,20 @@ macro_rules! stage {
         $vis static $name: $crate::batch::Stage<$f> = {
             #[inline(always)]
             fn body($($arg: $ty),*) $body
+            #[cfg(not(all(target_arch = "x86_64", any(fixedgl_only_avx2, fixedgl_only_avx512))))]
             fn baseline($($arg: $ty),*) { body($($arg),*) }
-            #[cfg(target_arch = "x86_64")]
+            #[cfg(all(target_arch = "x86_64", not(fixedgl_only_avx512)))]
             #[target_feature(enable = "avx2,bmi1,bmi2,popcnt,lzcnt")]
             fn avx2($($arg: $ty),*) { body($($arg),*) }
-            #[cfg(target_arch = "x86_64")]
+            #[cfg(all(target_arch = "x86_64", not(fixedgl_only_avx2)))]
             #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl,avx512cd,avx2,bmi1,bmi2,popcnt,lzcnt")]
             fn avx512($($arg: $ty),*) { body($($arg),*) }
             #[cfg(not(target_arch = "x86_64"))]
             use {baseline as avx2, baseline as avx512};
+            #[cfg(all(target_arch = "x86_64", fixedgl_only_avx2))]
+            use {avx2 as baseline, avx2 as avx512};
+            #[cfg(all(target_arch = "x86_64", fixedgl_only_avx512))]
+            use {avx512 as baseline, avx512 as avx2};
             $crate::batch::Stage { name: stringify!($name), levels: [baseline, avx2, avx512] }
         };
     )*};
