@@ -6,7 +6,8 @@ use super::weights::Weights;
 use crate::fragment::planes::{Linear, Plane, UnitSlots};
 
 impl Recipe {
-    /// Coordinates of a unit: q, periods, and whether f64 is needed.
+    /// Coordinates of a unit: q, periods, and whether f64 is needed, as it is for all units without q where `wide_w` says
+    /// so of w.
     #[inline]
     pub(super) fn unit(
         &self,
@@ -14,14 +15,21 @@ impl Recipe {
         weights: &Weights,
         slots: &UnitSlots,
         values: &Values,
+        wide_w: bool,
         out: &mut [Plane],
     ) -> bool {
         let UnitSlots { base, count, has_q, period, size, cube } = *slots;
         let Some(out) = out.get_mut(base..base + count + usize::from(has_q)) else { return false };
-        if has_q {
-            return projective_unit(basis, weights, slots, values, out);
-        }
         let d = weights.d;
+        if has_q {
+            if corners_q(slots, values) != [1.0; 3] {
+                return projective_unit(basis, weights, slots, values, out);
+            }
+            // Where q is 1 the planes are those of a unit without q, to the last bit.
+            if let Some(plane) = out.get_mut(count) {
+                *plane = Plane { c: 0.0, min: f32::MIN, max: f32::MAX, n0: d.at, nx: d.x, ny: d.y };
+            }
+        }
         let denominator = if weights.affine { 0.0 } else { weights.bound(d.at, d.x, d.y) };
         let (mut error, mut greatest) = (0.0f64, if cube { 0.0f64 } else { 1.0 });
         for (plane, size) in out.iter().take(count).zip(size) {
@@ -35,7 +43,7 @@ impl Recipe {
         }
         // Most primitives are far from the limit, which a bound without divisions shows.
         let narrow = error <= LIMIT * weights.far * greatest;
-        let wide = !narrow && wide(basis, slots, &d, weights.r, weights.affine, out);
+        let wide = wide_w || (!narrow && wide(basis, slots, &d, weights.r, weights.affine, out));
         for (plane, period) in out.iter_mut().zip(period).take(count) {
             take_period_off(plane, period);
         }
@@ -46,6 +54,11 @@ impl Recipe {
 /// An f32 evaluation is off by about 2^-23 of the terms it adds, in texels; 2^-11 texel is what may be lost.
 const LIMIT: f64 = 4096.0;
 
+/// A unit's q at the corners.
+fn corners_q(slots: &UnitSlots, values: &Values) -> [f64; 3] {
+    values.corner.map(|corner| f64::from(corner.get(slots.base + slots.count).copied().unwrap_or(0.0)))
+}
+
 /// Coordinates of a unit with q.
 fn projective_unit(basis: &Basis, weights: &Weights, slots: &UnitSlots, values: &Values, out: &mut [Plane]) -> bool {
     let UnitSlots { base, count, period, .. } = *slots;
@@ -53,7 +66,7 @@ fn projective_unit(basis: &Basis, weights: &Weights, slots: &UnitSlots, values: 
         let slots: &[f32] = values.corner.get(corner).copied().unwrap_or(&[]);
         f64::from(slots.get(base + k).copied().unwrap_or(0.0))
     };
-    let q = [0, 1, 2].map(|i| at(i, count));
+    let q = corners_q(slots, values);
     let (d, r) = projective(basis, weights, [0, 1, 2].map(|i| [at(i, 0), at(i, 1), at(i, 2)]), q, out);
     let wide = wide(basis, slots, &d, r, false, out);
     for (plane, period) in out.iter_mut().zip(period).take(count) {

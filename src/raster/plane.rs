@@ -166,7 +166,8 @@ impl Recipe {
             planes.wide |= Planes::WIDE_W;
         }
         for (unit, slots) in &self.units {
-            if self.unit(basis, &weights, slots, values, out) {
+            let wide_w = planes.wide & Planes::WIDE_W != 0;
+            if self.unit(basis, &weights, slots, values, wide_w, out) {
                 planes.wide |= 1 << unit;
             }
         }
