@@ -2,7 +2,6 @@
 //! lanes of a batch.
 
 use super::segments::ones;
-use crate::batch::LANES;
 use crate::enums::{
     GL_ALWAYS, GL_EQUAL, GL_GEQUAL, GL_GREATER, GL_LEQUAL, GL_LESS, GL_NEVER, GL_NOTEQUAL, GLenum, name,
 };
@@ -58,15 +57,15 @@ impl Func {
 
 /// Kills the lanes where `a func b` does not hold.
 #[inline(always)]
-pub(super) fn compare<T: Copy + PartialOrd>(func: Func, a: &[T; LANES], b: &[T; LANES], mask: &mut [u32; LANES]) {
+pub(super) fn compare<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; N], b: &[T; N], mask: &mut [u32; N]) {
     #[inline(always)]
-    fn each<T: Copy>(a: &[T; LANES], b: &[T; LANES], mask: &mut [u32; LANES], test: impl Fn(T, T) -> bool) {
-        for i in 0..LANES {
+    fn each<T: Copy, const N: usize>(a: &[T; N], b: &[T; N], mask: &mut [u32; N], test: impl Fn(T, T) -> bool) {
+        for i in 0..N {
             mask[i] &= ones(test(a[i], b[i]));
         }
     }
     match func {
-        Func::Never => *mask = [0; LANES],
+        Func::Never => *mask = [0; N],
         Func::Less => each(a, b, mask, |a, b| a < b),
         Func::Equal => each(a, b, mask, |a, b| a == b),
         Func::Lequal => each(a, b, mask, |a, b| a <= b),
@@ -79,7 +78,7 @@ pub(super) fn compare<T: Copy + PartialOrd>(func: Func, a: &[T; LANES], b: &[T; 
 
 /// Whether any lane is alive.
 #[inline(always)]
-pub(super) fn any(mask: &[u32; LANES]) -> bool {
+pub(super) fn any<const N: usize>(mask: &[u32; N]) -> bool {
     let mut all = 0;
     for m in mask {
         all |= m;
@@ -87,9 +86,20 @@ pub(super) fn any(mask: &[u32; LANES]) -> bool {
     all != 0
 }
 
+/// Whether all lanes are alive.
+#[inline(always)]
+pub(super) fn all<const N: usize>(mask: &[u32; N]) -> bool {
+    let mut all = u32::MAX;
+    for m in mask {
+        all &= m;
+    }
+    all == u32::MAX
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::batch::LANES;
 
     #[test]
     fn the_functions_do_what_their_names_say() {

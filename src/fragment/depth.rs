@@ -21,16 +21,31 @@ fn quantise(z: f64, max: f64) -> u32 {
     (z + WHOLE).to_bits() as u32
 }
 
-/// Depth of a row segment that begins at lane 0.
-#[inline(always)]
-fn row(z: &Linear, x0: i32, y: i32, max: f64, out: &mut [u32; LANES]) {
-    let at = z.at + z.y * f64::from(y);
-    if z.x == 0.0 {
-        // (at + 0 x) is at, or at with the sign of a zero changed.
-        *out = [quantise(at, max); LANES];
-    } else {
-        for i in 0..LANES {
-            out[i] = quantise(at + z.x * f64::from(x0.wrapping_add(i as i32)), max);
+/// Depth along a row.
+#[derive(Clone, Copy)]
+pub(super) struct Slope {
+    at: f64,
+    x: f64,
+    max: f64,
+}
+
+impl Slope {
+    /// Depth in the row y, relative to the primitive's origin.
+    #[inline(always)]
+    pub(super) fn new(z: &Linear, y: i32, max: f64) -> Self {
+        Self { at: z.at + z.y * f64::from(y), x: z.x, max }
+    }
+
+    /// The depths from x, relative to the primitive's origin, on.
+    #[inline(always)]
+    pub(super) fn depths<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        if self.x == 0.0 {
+            // (at + 0 x) is at, or at with the sign of a zero changed.
+            *out = [quantise(self.at, self.max); N];
+        } else {
+            for i in 0..N {
+                out[i] = quantise(self.at + self.x * f64::from(x.wrapping_add(i as i32)), self.max);
+            }
         }
     }
 }
@@ -49,7 +64,7 @@ stage! {
         let max = u.depth_max;
         if single_row(b) && let Some(planes) = w.planes.get(b.segments[0].prim as usize) {
             let (x0, y) = row_origin(&b.segments[0], planes);
-            row(&planes.z, x0, y, max, &mut b.z);
+            Slope::new(&planes.z, y, max).depths(x0, &mut b.z);
             return;
         }
         for s in 0..b.segment_count.min(LANES) {

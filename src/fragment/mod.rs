@@ -9,6 +9,7 @@ mod build;
 pub mod compare;
 mod coordinates;
 mod depth;
+mod fill;
 mod float_store;
 mod fog;
 mod interpolate;

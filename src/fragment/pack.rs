@@ -3,8 +3,8 @@
 //! Where nothing comes between interpolation and the store, [`COLOR_PACKED`] does both at once: a primitive of one colour
 //! is rounded once for a whole segment, others are rounded in registers.
 
-use super::batch::{FragmentBatch, Segment};
-use super::buffers::{full_row, load, places, store};
+use super::batch::FragmentBatch;
+use super::buffers::{load, places, store};
 use super::interpolate::{FIRST, primitive, reciprocals, value};
 use super::planes::{Plane, Planes};
 use super::segments::{CHUNK, IOTA, pieces, positions, put, row_origin, single_row};
@@ -63,48 +63,79 @@ impl Run {
     }
 }
 
-/// A row of one primitive that fills the batch. `OPAQUE`: its alpha is constant and stands in `or`.
-#[inline(always)]
-fn row<const OPAQUE: bool>(segment: &Segment, planes: &Planes, pool: &[Plane; 4], or: u32, out: &mut [u32; LANES]) {
-    let (x0, y) = row_origin(segment, planes);
-    let (x0, y) = (x0 as f32, y as f32);
-    let red = Run::new(&pool[0], y);
-    let green = Run::new(&pool[1], y);
-    let blue = Run::new(&pool[2], y);
-    let alpha = Run::new(&pool[3], y);
-    if planes.affine {
-        for i in 0..LANES {
-            let dx = x0 + IOTA[i];
-            let v = |run: &Run| run.byte(run.at + run.x * dx);
-            let a = if OPAQUE { 0 } else { v(&alpha) };
-            out[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
+/// The packed colours of a row of a primitive.
+#[derive(Clone, Copy)]
+pub(super) enum Paint {
+    /// All the same.
+    Flat(u32),
+    /// Interpolated.
+    Smooth(Smooth),
+}
+
+/// Interpolated colours of a row.
+#[derive(Clone, Copy)]
+pub(super) struct Smooth {
+    channels: [Run; 4],
+    /// D along the row and its change, where it is not 1.
+    d: Option<[f32; 2]>,
+    /// Alpha is constant and stands in `or`.
+    opaque: bool,
+    or: u32,
+}
+
+impl Paint {
+    /// The colours of the row y, relative to the primitive's origin; `None` where the primitive is wide.
+    #[inline(always)]
+    pub(super) fn new(planes: &Planes, pool: &[Plane; 4], y: i32, or: u32) -> Option<Self> {
+        let alpha = &pool[3];
+        if let Some(packed) = constant(pool) {
+            return Some(Self::Flat(packed | or));
         }
-    } else {
-        let (d_at, d_x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
-        for i in 0..LANES {
-            let dx = x0 + IOTA[i];
-            let rw = 1.0 / (d_at + d_x * dx);
-            let v = |run: &Run| run.byte((run.at + run.x * dx) * rw);
-            let a = if OPAQUE { 0 } else { v(&alpha) };
-            out[i] = pixel(v(&red), v(&green), v(&blue), a) | or;
+        if planes.wide & Planes::WIDE_W != 0 {
+            return None;
+        }
+        let y = y as f32;
+        let opaque = alpha.min == alpha.max;
+        let channels = [Run::new(&pool[0], y), Run::new(&pool[1], y), Run::new(&pool[2], y), Run::new(&pool[3], y)];
+        let d = [(planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32];
+        let d = if planes.affine { None } else { Some(d) };
+        let or = if opaque { or | byte(alpha.max) << 24 } else { or };
+        Some(Self::Smooth(Smooth { channels, d, opaque, or }))
+    }
+
+    /// The pixels from x, relative to the primitive's origin, on.
+    #[inline(always)]
+    pub(super) fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        match self {
+            Self::Flat(packed) => *out = [*packed; N],
+            Self::Smooth(smooth) if smooth.opaque => smooth.pixels::<true, N>(x, out),
+            Self::Smooth(smooth) => smooth.pixels::<false, N>(x, out),
         }
     }
 }
 
-/// A row of one primitive that fills the batch, of whatever kind; false where it is wide.
-#[inline(always)]
-fn any_row(segment: &Segment, planes: &Planes, pool: &[Plane; 4], or: u32, out: &mut [u32; LANES]) -> bool {
-    let alpha = &pool[3];
-    if let Some(packed) = constant(pool) {
-        *out = [packed | or; LANES];
-    } else if planes.wide & Planes::WIDE_W != 0 {
-        return false;
-    } else if alpha.min == alpha.max {
-        row::<true>(segment, planes, pool, or | byte(alpha.max) << 24, out);
-    } else {
-        row::<false>(segment, planes, pool, or, out);
+impl Smooth {
+    #[inline(always)]
+    fn pixels<const OPAQUE: bool, const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        let x = x as f32;
+        let [red, green, blue, alpha] = self.channels;
+        if let Some([d_at, d_x]) = self.d {
+            for i in 0..N {
+                let dx = x + IOTA[i];
+                let rw = 1.0 / (d_at + d_x * dx);
+                let v = |run: &Run| run.byte((run.at + run.x * dx) * rw);
+                let a = if OPAQUE { 0 } else { v(&alpha) };
+                out[i] = pixel(v(&red), v(&green), v(&blue), a) | self.or;
+            }
+        } else {
+            for i in 0..N {
+                let dx = x + IOTA[i];
+                let v = |run: &Run| run.byte(run.at + run.x * dx);
+                let a = if OPAQUE { 0 } else { v(&alpha) };
+                out[i] = pixel(v(&red), v(&green), v(&blue), a) | self.or;
+            }
+        }
     }
-    true
 }
 
 /// The packed colours of all segments.
@@ -112,8 +143,10 @@ fn any_row(segment: &Segment, planes: &Planes, pool: &[Plane; 4], or: u32, out: 
 fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, arg: u32) {
     if single_row(b)
         && let Some((planes, pool)) = primitive::<4>(w, &b.segments[0], slot)
-        && any_row(&b.segments[0], planes, pool, or, &mut b.packed)
+        && let (x, y) = row_origin(&b.segments[0], planes)
+        && let Some(paint) = Paint::new(planes, pool, y, or)
     {
+        paint.pixels(x, &mut b.packed);
         return;
     }
     for s in 0..b.segment_count.min(LANES) {
@@ -154,13 +187,6 @@ stage! {
     /// [`COLOR_PACKED`] and [`STORE`] where no fragment can have been killed: full rows go straight to the pixels.
     pub(super) fn COLOR_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(slot) = u.layout.color else { return };
-        if let Some(at) = full_row(b.segments.get(..b.segment_count).unwrap_or(&[]))
-            && let Some((planes, pool)) = primitive::<4>(w, &b.segments[0], slot)
-            && let Some(run) = w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut())
-            && any_row(&b.segments[0], planes, pool, u.packed_or, run)
-        {
-            return;
-        }
         color_packed(b, slot, u.packed_or, w, arg);
         store(places!(b), &b.tex.mask, &b.packed, w.band.rgba8);
     }

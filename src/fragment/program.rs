@@ -2,10 +2,10 @@
 //! the state makes a no-op is left out (`build` decides); the list of what was kept and left out, with
 //! the reasons, stays with the program so that it can be explained.
 
-use super::batch::FragmentBatch;
+use super::batch::{FragmentBatch, Segment};
 use super::planes::{Layout, Plane, Planes};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::Step;
+use crate::batch::{LANES, Step};
 use crate::framebuffer::Band;
 use crate::texture::env::EnvPlan;
 use crate::texture::sampler::Sampler;
@@ -81,9 +81,17 @@ pub struct Program {
     pub decisions: Vec<Decision>,
     pub(super) uniforms: FragUniforms,
     pub(super) actions: Vec<Action>,
+    /// The stage that does whole runs by itself, where the program is so simple that there is one.
+    pub(super) fill: Option<Step<FragFn>>,
     pub(super) samplers: Vec<Sampler>,
     pub(super) environments: Option<EnvPlan>,
 }
+
+/// From this length on a run is worth a call of the stage that fills.
+const FILLED: u32 = 8;
+/// From this length on a run, or what is left of it, is worth a batch of its own: stages that compute whole rows are
+/// faster than those that go over the pieces of several, but compute unused lanes as well.
+const SPLIT: u32 = 32;
 
 impl Program {
     /// Runs the program over a batch: `segments` and `tex.n` are set, and for lanes of segments that are no rows
@@ -114,6 +122,48 @@ impl Program {
                 Action::StopIfDead => {}
             }
         }
+    }
+
+    /// Runs of a row from this length on may be given to [`row`](Self::row).
+    #[must_use]
+    pub fn row_from(&self) -> u32 {
+        if self.fill.is_some() { FILLED } else { SPLIT }
+    }
+
+    /// Works on pixels of one primitive and row, from its start on as many as pay: the rest, whose number is less than
+    /// [`row_from`](Self::row_from) as a rule, must come in batches. Returns how many it has done.
+    #[inline]
+    pub fn row(
+        &self,
+        batch: &mut FragmentBatch,
+        run: Segment,
+        planes: &[Planes],
+        pool: &[Plane],
+        band: &mut Band<'_>,
+    ) -> u32 {
+        let len = run.len;
+        if let Some(step) = &self.fill {
+            batch.segments[0] = run;
+            batch.segment_count = 1;
+            let mut work = Work { planes, pool, band };
+            #[expect(unsafe_code, reason = "the level was checked when the program was built")]
+            // SAFETY: a program is built for no level that the processor does not have.
+            unsafe {
+                (step.run)(batch, &self.uniforms, &mut work, step.arg);
+            }
+            return (batch.tex.n as u32).min(len);
+        }
+        let mut done = 0;
+        while len - done >= SPLIT {
+            let n = (len - done).min(LANES as u32);
+            let (x, offset) = (run.x.wrapping_add(done as i32), run.offset.wrapping_add(done));
+            batch.segments[0] = Segment { start: 0, len: n, x, offset, row: true, ..run };
+            batch.segment_count = 1;
+            batch.tex.n = n as usize;
+            self.run(batch, planes, pool, band);
+            done += n;
+        }
+        done
     }
 
     /// The names of the stages in the order in which they run.

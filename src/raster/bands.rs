@@ -6,7 +6,7 @@
 use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
 use super::scene::{Draw, Shader};
-use crate::fragment::batch::FragmentBatch;
+use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{Plane, Planes};
 use crate::framebuffer::{Band, Framebuffer};
 use std::ops::Range;
@@ -42,6 +42,10 @@ struct Target<'a, 'b, P> {
 impl<P: Shader> Sink for Target<'_, '_, P> {
     fn run(&mut self, batch: &mut FragmentBatch) {
         self.program.run(batch, self.planes, self.pool, self.band);
+    }
+
+    fn row(&mut self, batch: &mut FragmentBatch, run: Segment) -> u32 {
+        self.program.row(batch, run, self.planes, self.pool, self.band)
     }
 }
 
@@ -135,6 +139,7 @@ impl<P: Shader> Flush<'_, P> {
                 sink.program = &draw.program;
                 to.smooth = draw.program.coverage();
                 to.ordered = draw.program.ordered();
+                to.row_from(draw.program.row_from());
             }
             to.primitive(i, of.origin);
             self.primitive(prim, draw, &rows, to, &mut sink);

@@ -1,7 +1,8 @@
 //! From row runs to batches of fragments. The emitter appends the pixels of shapes to a batch, as segments of one
 //! primitive each: long runs as row segments, short ones lane by lane behind each other. It hands the batch on when it is
 //! full or when a pixel would be in it twice: within a batch stages see all lanes at once, so what must happen in order
-//! may not share a batch. Where a batch is cut changes no bit of the result.
+//! may not share a batch. Where a batch is cut changes no bit of the result. Long runs go past the batch straight to the
+//! sink, so that nearly all batches of a large primitive are one row.
 
 use crate::batch::LANES;
 use crate::fragment::batch::{FragmentBatch, Segment};
@@ -11,6 +12,9 @@ use crate::framebuffer::Band;
 pub trait Sink {
     /// Works on a batch: segments and `tex.n` are set, `coverage` where asked for.
     fn run(&mut self, batch: &mut FragmentBatch);
+    /// Works on a run of a row, from its start on as far as that pays, with a batch to use for it. Returns how many pixels
+    /// it has done.
+    fn row(&mut self, batch: &mut FragmentBatch, run: Segment) -> u32;
 }
 
 /// Runs from this length on become row segments.
@@ -20,6 +24,10 @@ const ROW: usize = 16;
 #[derive(Debug)]
 pub struct Emitter {
     batch: Box<FragmentBatch>,
+    /// For the sink to work on long runs.
+    row: Box<FragmentBatch>,
+    /// Runs from this length on go to the sink at once.
+    row_from: i32,
     /// Which pixels the batch may hold already: bit x mod 64 of word y mod 64.
     seen: [u64; 64],
     cut: usize,
@@ -46,6 +54,8 @@ impl Emitter {
     pub fn new() -> Self {
         Self {
             batch: Box::default(),
+            row: Box::default(),
+            row_from: i32::MAX,
             seen: [0; 64],
             cut: LANES,
             base: 0,
@@ -62,6 +72,13 @@ impl Emitter {
         self.cut = cut.clamp(1, LANES);
         self.base = band.offset(0, 0);
         self.step = band.offset(0, 1).wrapping_sub(self.base);
+    }
+
+    /// Says from which length on runs go to the sink at once; never where batches are cut early, nor with coverage,
+    /// which only batches have.
+    pub fn row_from(&mut self, len: u32) {
+        let never = self.smooth || self.cut < LANES;
+        self.row_from = if never { i32::MAX } else { i32::try_from(len).unwrap_or(i32::MAX).max(1) };
     }
 
     /// Says whose pixels come next.
@@ -84,6 +101,18 @@ impl Emitter {
     #[inline]
     pub fn run(&mut self, x: i32, y: i32, len: i32, coverage: f32, sink: &mut impl Sink) {
         let (mut x, mut len) = (x, len);
+        if len >= self.row_from {
+            // Pixels of the batch that the run covers come first, whether the order of a batch matters or not.
+            let bits = (u64::MAX >> (64 - len.min(64))).rotate_left(x as u32 & 63);
+            if self.seen[y as usize & 63] & bits != 0 {
+                self.finish(sink);
+            }
+            let offset = self.offset(x, y);
+            let run = Segment { prim: self.prim, start: 0, len: len.cast_unsigned(), x, y, offset, row: true };
+            let done = sink.row(&mut self.row, run).min(len.cast_unsigned()).cast_signed();
+            x += done;
+            len -= done;
+        }
         while len > 0 {
             let room = (self.cut - self.batch.tex.n.min(self.cut)) as i32;
             let take = len.min(room);

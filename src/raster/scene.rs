@@ -11,7 +11,7 @@ use super::point::Dot;
 use super::setup::Triangle;
 use super::{RasterState, VertexRef};
 use crate::batch::{LANES, Level};
-use crate::fragment::batch::FragmentBatch;
+use crate::fragment::batch::{FragmentBatch, Segment as Run};
 use crate::fragment::planes::{Layout, Plane, Planes};
 use crate::fragment::program::Program;
 use crate::framebuffer::{Band, Framebuffer};
@@ -29,6 +29,11 @@ pub trait Shader: Send + Sync {
     fn draws_nothing(&self) -> bool;
     /// Works on a batch.
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>);
+    /// Runs from this length on may be given to [`row`](Self::row).
+    fn row_from(&self) -> u32;
+    /// Works on a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels
+    /// it has done.
+    fn row(&self, batch: &mut FragmentBatch, run: Run, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32;
 }
 
 impl<T: Shader> Shader for Arc<T> {
@@ -51,6 +56,14 @@ impl<T: Shader> Shader for Arc<T> {
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
         (**self).run(batch, planes, pool, band);
     }
+
+    fn row_from(&self) -> u32 {
+        (**self).row_from()
+    }
+
+    fn row(&self, batch: &mut FragmentBatch, run: Run, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32 {
+        (**self).row(batch, run, planes, pool, band)
+    }
 }
 
 impl Shader for Program {
@@ -72,6 +85,14 @@ impl Shader for Program {
 
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
         Program::run(self, batch, planes, pool, band);
+    }
+
+    fn row_from(&self) -> u32 {
+        Program::row_from(self)
+    }
+
+    fn row(&self, batch: &mut FragmentBatch, run: Run, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32 {
+        Program::row(self, batch, run, planes, pool, band)
     }
 }
 

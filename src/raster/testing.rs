@@ -3,7 +3,7 @@
 
 use super::vertex::Vertex;
 use super::{Draw, RasterState, Scene, Shader, VertexRef};
-use crate::fragment::batch::FragmentBatch;
+use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{Layout, Plane, Planes};
 use crate::framebuffer::{Band, Framebuffer, FramebufferFormat};
 use crate::state::State;
@@ -85,6 +85,22 @@ impl Shader for Counter {
         offsets.sort_unstable();
         offsets.dedup();
         assert_eq!(offsets.len(), lane, "a pixel is twice in a batch");
+    }
+
+    fn row_from(&self) -> u32 {
+        20
+    }
+
+    /// All but the last few pixels of a run.
+    fn row(&self, b: &mut FragmentBatch, run: Segment, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32 {
+        assert!(run.len >= 20 && run.start == 0 && run.row);
+        let mut done = 0;
+        while run.len - done >= 3 {
+            b.clear();
+            done += b.push_row(run.prim, run.x + done as i32, run.y, run.offset + done, run.len - done);
+            self.run(b, planes, pool, band);
+        }
+        done
     }
 }
 

@@ -12,7 +12,7 @@ use super::planes::Layout;
 use super::program::{Action, Decision, Fate, Options, Program};
 use super::stencil::StencilOp;
 use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
-use super::{alpha, depth, stencil};
+use super::{alpha, depth, fill, stencil};
 use crate::batch::{Level, Stage, Step};
 use crate::enums::{GL_NONE, GL_NOOP};
 use crate::framebuffer::FramebufferFormat;
@@ -60,6 +60,7 @@ impl Program {
             decisions: Vec::new(),
             uniforms: FragUniforms::default(),
             actions: Vec::new(),
+            fill: None,
             samplers: Vec::new(),
             environments: None,
         };
@@ -117,6 +118,10 @@ impl Builder<'_> {
                 }
                 self.count_and_stop(&tests, count);
             }
+            let whole = writes_color && self.program.uniforms.color_mask == u32::MAX;
+            if early && plain && whole && !count {
+                self.fill(&tests, fill::COLOR);
+            }
             if direct && plain {
                 self.decide("store", Fate::Hoisted, "with the colour, since no test can kill a fragment");
             } else if writes_color {
@@ -124,6 +129,9 @@ impl Builder<'_> {
             }
         } else {
             self.decide("colour", Fate::LeftOut, "no colour channel is written and no test looks at alpha");
+            if early && !count {
+                self.fill(&tests, 0);
+            }
             if general {
                 self.stencil_and_depth(&tests, tests.depth_write);
                 self.count_and_stop(&tests, count);
@@ -236,6 +244,24 @@ impl Builder<'_> {
         if tests.stencil.is_some() && tests.stencil_write {
             self.push(&stencil::STENCIL_WRITE, 0);
         }
+    }
+
+    /// The stage that does whole runs by itself.
+    fn fill(&mut self, tests: &Tests, color: u32) {
+        if tests.stencil.is_some() || (tests.depth.is_none() && color == 0) {
+            return;
+        }
+        let depth = tests
+            .depth
+            .map_or(0, |func| fill::DEPTH | (func as u32) << 1 | if tests.depth_write { depth::WRITE } else { 0 });
+        let stage = &fill::FILL;
+        let run = stage.levels[self.level as usize];
+        self.program.fill = Some(Step { name: stage.name, run, arg: depth | color });
+        self.decide(
+            "long runs",
+            Fate::Hoisted,
+            "only depth and an interpolated colour: one stage does whole runs of a row",
+        );
     }
 
     /// What follows when all tests are done.

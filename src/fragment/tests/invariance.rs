@@ -90,7 +90,7 @@ fn scene(r: &mut Random, secondary: bool, fog: bool) -> Scene {
 fn nothing_that_is_left_out_changes_a_bit() {
     let mut r = Random::new(11);
     let rects = [(0, [2, 0, 90, 15]), (1, [40, 3, 37, 16])];
-    let mut shorter = 0;
+    let (mut shorter, mut filled) = (0, 0);
     for case in 0..700 {
         let state = state(&mut r);
         let format = FramebufferFormat {
@@ -100,16 +100,17 @@ fn nothing_that_is_left_out_changes_a_bit() {
             color_bits: [8, 8, 8, r.pick(&[8, 8, 0])],
             accum_bits: 0,
         };
-        let coverage = false;
+        let (coverage, count_samples) = (false, r.bool());
         let mut want = None;
         let seed = r.next();
         for level in Level::available() {
             for general in [true, false] {
-                let options = Options { general, coverage, count_samples: true, q_units: 0 };
+                let options = Options { general, coverage, count_samples, q_units: 0 };
                 let p = program(level, &state, &format, options);
                 if !general && p.stage_names().len() < 10 {
                     shorter += 1;
                 }
+                filled += usize::from(p.fill.is_some());
                 let scene = scene(&mut Random::new(seed), p.layout.secondary.is_some(), p.layout.fog.is_some());
                 for feed in Feed::ALL {
                     let mut f = Framebuffer::new(96, 20, format).unwrap();
@@ -136,6 +137,7 @@ fn nothing_that_is_left_out_changes_a_bit() {
         }
     }
     assert!(shorter > 300, "only {shorter} programs left much out");
+    assert!(filled > 30, "only {filled} programs fill");
 }
 
 #[test]
@@ -162,7 +164,7 @@ fn no_plane_makes_it_panic() {
         for level in Level::available() {
             for general in [false, true] {
                 let p = program(level, &state, &format, Options { general, ..Options::default() });
-                for feed in [Feed::Rows, Feed::SingleRows] {
+                for feed in [Feed::Rows, Feed::SingleRows, Feed::Runs] {
                     let mut f = Framebuffer::new(70, 3, format).unwrap();
                     let rects: Vec<_> = (0..4).map(|i| (i, [0, 0, 70, 3])).collect();
                     draw(&p, &scene, &mut f, feed, &rects);
@@ -196,6 +198,8 @@ fn segments_that_lie_leave_the_band_alone() {
             b.offset = [u32::MAX; 64];
             (b.segment_count, b.tex.n) = (2, n);
             p.run(&mut b, &scene.planes, &scene.pool, &mut f.band());
+            let run = Segment { start: 0, len: len.min(100), ..b.segments[0] };
+            p.row(&mut Box::new(FragmentBatch::new()), run, &scene.planes, &scene.pool, &mut f.band());
             b.segment_count = usize::MAX;
             p.run(&mut b, &scene.planes, &scene.pool, &mut f.band());
         }

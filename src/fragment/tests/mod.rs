@@ -106,10 +106,12 @@ pub(super) enum Feed {
     Dense,
     /// Rows and dense lanes in turn.
     Mixed,
+    /// Whole runs as far as the program takes them, then dense lanes.
+    Runs,
 }
 
 impl Feed {
-    pub const ALL: [Self; 4] = [Self::Rows, Self::SingleRows, Self::Dense, Self::Mixed];
+    pub const ALL: [Self; 5] = [Self::Rows, Self::SingleRows, Self::Dense, Self::Mixed, Self::Runs];
 }
 
 /// Brings the pixels of a rectangle of a primitive to a program.
@@ -128,10 +130,16 @@ pub(super) fn draw(
             for y in (y0..y0 + h).filter(|y| rows.contains(y)) {
                 let row = match feed {
                     Feed::Rows | Feed::SingleRows => true,
-                    Feed::Dense => false,
+                    Feed::Dense | Feed::Runs => false,
                     Feed::Mixed => y % 3 != 1,
                 };
                 let mut x = x0;
+                if feed == Feed::Runs {
+                    let (offset, start) = (band.offset(x, y), 0);
+                    let run = Segment { prim, start, len: w, x: x as i32, y: y as i32, offset, row: true };
+                    x += program.row(&mut Box::new(FragmentBatch::new()), run, &scene.planes, &scene.pool, &mut band);
+                    assert!(x <= x0 + w);
+                }
                 while x < x0 + w {
                     let left = x0 + w - x;
                     if row {
@@ -145,8 +153,8 @@ pub(super) fn draw(
                         for i in 0..n {
                             let lane = start + i as usize;
                             b.offset[lane] = band.offset(x + i, y);
-                            b.dx[lane] = ((x + i) as i32 - origin[0]) as f32;
-                            b.dy[lane] = (y as i32 - origin[1]) as f32;
+                            b.dx[lane] = ((x + i) as i32).wrapping_sub(origin[0]) as f32;
+                            b.dy[lane] = (y as i32).wrapping_sub(origin[1]) as f32;
                         }
                         b.segment_count += 1;
                         b.tex.n += n as usize;
