@@ -3,10 +3,7 @@
 //! program's arrays take in Rust. The one idea: a call that compiles in C should compile here without casts.
 
 /// The types that a slice argument can hold: GL's own scalars.
-pub trait Element: bytemuck::Pod {}
-
-macro_rules! elements { ($($t:ty)*) => { $(impl Element for $t {})* }; }
-elements!(u8 i8 u16 i16 u32 i32 f32 f64 usize);
+pub use crate::num::Scalar as Element;
 
 /// A `GLint` that C programs also feed with enumerants and booleans.
 pub trait IntoInt {

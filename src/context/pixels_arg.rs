@@ -4,6 +4,7 @@
 
 use super::args::Element;
 use crate::enums::GLenum;
+use crate::num::{as_bytes, as_bytes_mut};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -172,7 +173,7 @@ where
 
 /// The bytes of a slice of scalars.
 fn bytes<T: Element>(values: &[T]) -> &[u8] {
-    bytemuck::cast_slice(values)
+    as_bytes(values)
 }
 
 macro_rules! readable {
@@ -188,7 +189,7 @@ macro_rules! readable {
                 fn from($v: &$t) -> Self { ArrayData::Values(bytes($slice).into()) }
             }
             impl<'a, T: Element $($generic)*> From<&'a mut $t> for PixelsMut<'a> {
-                fn from($v: &'a mut $t) -> Self { PixelsMut::Bytes(bytemuck::cast_slice_mut($slice)) }
+                fn from($v: &'a mut $t) -> Self { PixelsMut::Bytes(as_bytes_mut($slice)) }
             }
         )*
     };

@@ -11,6 +11,7 @@ use super::scale::ImageError;
 use crate::context::{Context, NULL, Pixels};
 use crate::enums::*;
 use crate::error::{invalid_enum, invalid_value};
+use crate::num::as_bytes;
 use crate::pixels::format::{PixelFormat, Purpose};
 use crate::pixels::unpack::ClientImage;
 use crate::state::pixel::PixelStore;
@@ -118,7 +119,7 @@ fn upload_levels(
         }
         if wanted.contains(&l) {
             let floats = grid.components(pixel).ok_or(ImageError::Memory)?;
-            let bytes = Pixels::Bytes(Cow::Borrowed(bytemuck::cast_slice(&floats)));
+            let bytes = Pixels::Bytes(Cow::Borrowed(as_bytes(&floats)));
             upload(cx, job, l, grid.size.map(|n| n as i32), GL_FLOAT, bytes);
         }
     }

@@ -9,12 +9,14 @@
 //! of them over a batch becomes SIMD code at every level. The `f64` functions serve what is computed once a command:
 //! matrices, quadrics, tables.
 
+mod bytes;
 mod exp_log;
 mod exp_log64;
 mod round;
 mod trig;
 mod unorm;
 
+pub use bytes::{Scalar, as_bytes, as_bytes_mut};
 pub use exp_log::{exp_f32, exp2_f32, log2_f32, pow_f32};
 pub use exp_log64::{exp, exp2, ln, log2, pow};
 pub use round::{floor_f32, floor_to_int, fract_f32, round_f32, round_to_int, trunc_f32};
