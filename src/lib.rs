@@ -37,6 +37,7 @@
 //! |---|---|
 //! | `capi` | the C ABI (feature `capi`) |
 //! | [`c`] | C's names as safe functions |
+//! | [`teach`] | explains the plan of a state, counts what was done; used by nothing |
 //! | `image_io`, `obj` | textures and pictures from image files, meshes from OBJ files (features `image`, `tobj`) |
 //! | [`glu`] | mipmaps, image scaling, projections, quadrics |
 //! | [`context`] | the table of commands, display lists, queries; the engine that ties the rest together |
@@ -72,6 +73,7 @@ pub mod obj;
 pub mod pixels;
 pub mod raster;
 pub mod state;
+pub mod teach;
 pub mod texture;
 pub mod vertex;
 

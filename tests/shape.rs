@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 const ROOMS: &[&[&str]] = &[
     &["capi"],
     &["c"],
+    &["teach"],
     &["image_io", "obj"],
     &["glu"],
     &["context"],

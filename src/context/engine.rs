@@ -11,6 +11,7 @@ use super::draw_arrays::VertexCache;
 use super::queries::Queries;
 use super::tex_image::{Proxies, Proxy};
 use super::textures::Textures;
+use crate::batch::Tally;
 use crate::enums::GL_FRONT;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
@@ -67,6 +68,8 @@ pub(crate) struct Engine {
     /// Advice that the debug callback has not had yet, and the last advice given.
     pub(crate) notes: Vec<String>,
     pub(crate) last_note: String,
+    /// Where what is done is counted, if somebody wants to know.
+    pub(crate) tally: Option<Tally>,
     /// Occlusion queries.
     pub(crate) queries: Queries,
     /// The buffers that are drawn into.
@@ -107,6 +110,7 @@ impl Engine {
             q_units: 0,
             notes: Vec::new(),
             last_note: String::new(),
+            tally: None,
             queries: Queries::default(),
             framebuffer,
         };

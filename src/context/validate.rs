@@ -3,6 +3,7 @@
 //! that is not stale, and nothing else in the engine builds a plan.
 
 use super::engine::Engine;
+use crate::batch::Tally;
 use crate::enums::{GL_FILL, name};
 use crate::fragment::program::{Options, Program};
 use crate::limits::MAX_TEXTURE_UNITS;
@@ -59,7 +60,17 @@ impl Engine {
             count_samples: self.queries.is_counting(),
             q_units: self.q_units,
         };
-        Program::build(self.config.level, s, textures, self.framebuffer.format(), options)
+        let program = Program::build(self.config.level, s, textures, self.framebuffer.format(), options);
+        match &self.tally {
+            Some(tally) => program.counted(tally),
+            None => program,
+        }
+    }
+
+    /// Counts what is done from now on, or does not. Nothing may wait to be drawn.
+    pub(crate) fn count_into(&mut self, tally: Option<Tally>) {
+        self.tally = tally;
+        self.dirty.fragment = true;
     }
 
     /// Whether the texture of a unit can be sampled, with its rings filled. If not, a note says why.

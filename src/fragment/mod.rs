@@ -19,6 +19,7 @@ pub mod planes;
 pub mod program;
 mod segments;
 pub mod stencil;
+mod tally;
 pub mod uniforms;
 
 #[cfg(test)]

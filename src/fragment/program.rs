@@ -5,7 +5,7 @@
 use super::batch::{FragmentBatch, Segment};
 use super::planes::{Layout, Plane, Planes};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, Step};
+use crate::batch::{LANES, Step, Tally};
 use crate::framebuffer::Band;
 use crate::texture::env::EnvPlan;
 use crate::texture::sampler::Sampler;
@@ -40,6 +40,16 @@ pub enum Fate {
     LeftOut,
     /// It is done earlier or less often than for every fragment in the specification's order.
     Hoisted,
+}
+
+impl std::fmt::Display for Fate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Self::Kept => "kept",
+            Self::LeftOut => "left out",
+            Self::Hoisted => "hoisted",
+        })
+    }
 }
 
 /// A line of a program's explanation.
@@ -85,6 +95,8 @@ pub struct Program {
     pub(super) fill: Option<Step<FragFn>>,
     pub(super) samplers: Vec<Sampler>,
     pub(super) environments: Option<EnvPlan>,
+    /// Where what is done is counted, if somebody wants to know.
+    pub(super) tally: Option<Tally>,
 }
 
 /// From this length on a run is worth a call of the stage that fills.
@@ -99,29 +111,40 @@ impl Program {
     #[inline]
     pub fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
         let mut work = Work { planes, pool, band };
+        if let Some(tally) = &self.tally {
+            return self.run_counted(batch, &mut work, tally);
+        }
         for action in &self.actions {
-            match action {
-                Action::Stage(step) => {
-                    #[expect(unsafe_code, reason = "the level was checked when the program was built")]
-                    // SAFETY: a program is built for no level that the processor does not have.
-                    unsafe {
-                        (step.run)(batch, &self.uniforms, &mut work, step.arg);
-                    }
-                }
-                Action::Sample(i) => {
-                    if let Some(sampler) = self.samplers.get(*i) {
-                        sampler.run(&mut batch.tex);
-                    }
-                }
-                Action::Environments => {
-                    if let Some(environments) = &self.environments {
-                        environments.run(&mut batch.tex);
-                    }
-                }
-                Action::StopIfDead if !batch.alive => return,
-                Action::StopIfDead => {}
+            if !self.act(action, batch, &mut work) {
+                return;
             }
         }
+    }
+
+    /// One action; false says that no fragment is alive and the rest can be left out.
+    #[inline(always)]
+    pub(super) fn act(&self, action: &Action, batch: &mut FragmentBatch, work: &mut Work<'_, '_>) -> bool {
+        match action {
+            Action::Stage(step) => {
+                #[expect(unsafe_code, reason = "the level was checked when the program was built")]
+                // SAFETY: a program is built for no level that the processor does not have.
+                unsafe {
+                    (step.run)(batch, &self.uniforms, work, step.arg);
+                }
+            }
+            Action::Sample(i) => {
+                if let Some(sampler) = self.samplers.get(*i) {
+                    sampler.run(&mut batch.tex);
+                }
+            }
+            Action::Environments => {
+                if let Some(environments) = &self.environments {
+                    environments.run(&mut batch.tex);
+                }
+            }
+            Action::StopIfDead => return batch.alive,
+        }
+        true
     }
 
     /// Runs of a row from this length on may be given to [`row`](Self::row).
@@ -191,12 +214,7 @@ impl Program {
         let width = self.decisions.iter().map(|d| d.stage.len()).max().unwrap_or(0);
         let mut text = String::new();
         for d in &self.decisions {
-            let fate = match d.fate {
-                Fate::Kept => "kept",
-                Fate::LeftOut => "left out",
-                Fate::Hoisted => "hoisted",
-            };
-            text.push_str(&format!("{:width$}  {fate:8}  {}\n", d.stage, d.reason));
+            text.push_str(&format!("{:width$}  {:8}  {}\n", d.stage, d.fate, d.reason));
         }
         text
     }

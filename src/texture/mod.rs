@@ -5,6 +5,7 @@ pub mod anisotropy;
 pub mod batch;
 pub mod combine;
 pub mod complete;
+pub mod count;
 pub mod cube;
 pub mod env;
 pub mod filter;

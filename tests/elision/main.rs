@@ -3,5 +3,6 @@
 //! be the same bytes. The specialised side changes its instruction set, threads and batch cut from case to case.
 
 mod random;
+mod rows;
 mod same_bytes;
 mod states;

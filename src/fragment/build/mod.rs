@@ -63,6 +63,7 @@ impl Program {
             fill: None,
             samplers: Vec::new(),
             environments: None,
+            tally: None,
         };
         let level = level.at_most_available();
         let mut b = Builder { level, state, format, options, first: true, program };

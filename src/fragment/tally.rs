@@ -1,0 +1,85 @@
+//! Running a program and counting what it does: fragments into each stage, fragments that a test kills, texels, divisions,
+//! logarithms. The stages are those of the program, run over the same batches; a program that is counted only gives up
+//! the stage that fills whole runs, so that every stage can be seen.
+
+use super::batch::FragmentBatch;
+use super::interpolate::FIRST;
+use super::planes::Planes;
+use super::program::{Action, Program};
+use super::uniforms::Work;
+use crate::batch::{Counters, Tally};
+
+/// The stages that compute 1 / D if their number has [`FIRST`].
+const INTERPOLATING: &[&str] =
+    &["COORDINATES", "COLOR", "COLOR_PACKED", "COLOR_STORE", "PRIMARY", "SECONDARY", "FOG_COORDINATE"];
+
+/// Lanes of a batch whose fragment is alive.
+fn alive(batch: &FragmentBatch) -> u64 {
+    batch.tex.mask.iter().take(batch.tex.n).filter(|mask| **mask != 0).count() as u64
+}
+
+/// Lanes of a batch for which 1 / D is more than a copy of 1.
+fn in_perspective(batch: &FragmentBatch, planes: &[Planes]) -> u64 {
+    let segments = batch.segments.iter().take(batch.segment_count);
+    let divided = segments.filter(|s| planes.get(s.prim as usize).is_some_and(|planes| !planes.affine));
+    divided.map(|s| u64::from(s.len)).sum()
+}
+
+impl Program {
+    /// The same program, which from now on counts what it does.
+    #[must_use]
+    pub fn counted(mut self, tally: &Tally) -> Self {
+        self.fill = None;
+        self.tally = Some(Tally::clone(tally));
+        self
+    }
+
+    /// Divisions of a step over a batch: by w where it is the first to need it, by q where its unit has one.
+    fn divisions(&self, name: &str, arg: u32, batch: &FragmentBatch, planes: &[Planes]) -> u64 {
+        let unit =
+            if name == "COORDINATES" { self.layout.units.get((arg >> 2) as usize).copied().flatten() } else { None };
+        if unit.is_some_and(|unit| unit.has_q && !unit.cube) {
+            return batch.tex.n as u64;
+        }
+        let divides = INTERPOLATING.contains(&name);
+        if divides && arg & FIRST != 0 { in_perspective(batch, planes) } else { 0 }
+    }
+
+    /// [`Program::run`] with every step counted.
+    pub(super) fn run_counted(&self, batch: &mut FragmentBatch, work: &mut Work<'_, '_>, tally: &Tally) {
+        Counters::with(tally, |all| {
+            all.fragments += batch.tex.n as u64;
+            for action in &self.actions {
+                let before = if batch.tex.n > 0 && self.begun(action) { alive(batch) } else { batch.tex.n as u64 };
+                if !self.act(action, batch, work) {
+                    return;
+                }
+                let left = alive(batch);
+                match action {
+                    Action::Stage(step) => {
+                        all.divisions += self.divisions(step.name, step.arg, batch, work.planes);
+                        all.add_stage(step.name, before, left);
+                    }
+                    Action::Sample(i) => {
+                        let Some(sampler) = self.samplers.get(*i) else { continue };
+                        let done = sampler.done(&batch.tex);
+                        all.texels += done.texels * before;
+                        all.logarithms += done.logarithms * before;
+                        sampler.plan.steps.iter().for_each(|step| all.add_stage(step.name, before, left));
+                    }
+                    Action::Environments => {
+                        let steps = self.environments.iter().flat_map(|e| &e.plan.steps);
+                        steps.for_each(|step| all.add_stage(step.name, before, left));
+                    }
+                    Action::StopIfDead => {}
+                }
+            }
+            all.passed += alive(batch);
+        });
+    }
+
+    /// Whether the mask has been set when an action comes: the first one sets it.
+    fn begun(&self, action: &Action) -> bool {
+        self.actions.first().is_some_and(|first| !std::ptr::eq(first, action))
+    }
+}

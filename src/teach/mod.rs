@@ -1,0 +1,101 @@
+//! Explaining: what the present state makes of the pipeline, stage by stage, each kept, left out or hoisted with the
+//! reason in a sentence; and counters of what was really done. This room looks at everything and is used by nothing.
+//!
+//! ```
+//! use fixedgl::{Context, enums::*};
+//! let mut gl = Context::new(64, 64);
+//! gl.enable(GL_DEPTH_TEST);
+//! gl.set_counting(true);
+//! gl.rectf(-0.5, -0.5, 0.5, 0.5);
+//! gl.finish();
+//! let explanation = gl.explain();
+//! assert!(explanation.kept("depth test") && !explanation.kept("fog"));
+//! assert_eq!(gl.counters().passed, 32 * 32);
+//! println!("{explanation}{}", gl.counters());
+//! ```
+
+mod vertices;
+
+use crate::batch::{Counters, Tally};
+use crate::context::Context;
+pub use crate::fragment::program::{Decision, Fate};
+use std::fmt;
+
+/// What becomes of every stage in the present state.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Explanation {
+    /// A line for each stage, in the order of the pipeline.
+    pub decisions: Vec<Decision>,
+    /// The names of the vertex stages that run, in order.
+    pub vertex_stages: Vec<&'static str>,
+    /// The names of the fragment stages that run, in order.
+    pub fragment_stages: Vec<&'static str>,
+}
+
+impl Explanation {
+    /// The line of a stage.
+    #[must_use]
+    pub fn decision(&self, stage: &str) -> Option<&Decision> {
+        self.decisions.iter().find(|d| d.stage == stage)
+    }
+
+    /// Whether a stage is kept.
+    #[must_use]
+    pub fn kept(&self, stage: &str) -> bool {
+        self.decision(stage).is_some_and(|d| d.fate == Fate::Kept)
+    }
+
+    /// Everything in one line, for traces.
+    #[must_use]
+    pub fn in_one_line(&self) -> String {
+        let of = |fate: Fate| {
+            let all = self.decisions.iter().filter(|d| d.fate == fate);
+            all.map(|d| d.stage.as_str()).collect::<Vec<_>>().join(", ")
+        };
+        format!("kept: {}; hoisted: {}; left out: {}", of(Fate::Kept), of(Fate::Hoisted), of(Fate::LeftOut))
+    }
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.decisions.iter().map(|d| d.stage.len()).max().unwrap_or(0);
+        for d in &self.decisions {
+            writeln!(f, "{:width$}  {:8}  {}", d.stage, d.fate, d.reason)?;
+        }
+        writeln!(f, "vertex stages: {}", self.vertex_stages.join(", ").to_lowercase())?;
+        writeln!(f, "fragment stages: {}", self.fragment_stages.join(", ").to_lowercase())
+    }
+}
+
+impl Context {
+    /// What becomes of every stage if something is drawn in the present state. Inside of Begin and End it is what the
+    /// vertices get that are given now. Nothing is drawn, no error is recorded.
+    pub fn explain(&mut self) -> Explanation {
+        self.engine.validate();
+        let engine = &self.engine;
+        let Some(program) = &engine.program else { return Explanation::default() };
+        let mut decisions = vertices::decisions(&engine.state, &engine.pipe.plan);
+        decisions.extend(program.decisions.iter().cloned());
+        Explanation {
+            decisions,
+            vertex_stages: engine.pipe.plan.plan.steps.iter().map(|step| step.name).collect(),
+            fragment_stages: program.stage_names(),
+        }
+    }
+
+    /// Begins or ends counting. What is counted changes no pixel and costs some time, so it is off at first. Beginning
+    /// sets all counters to zero.
+    pub fn set_counting(&mut self, on: bool) {
+        self.engine.flush_scene();
+        self.engine.count_into(on.then(Tally::default));
+    }
+
+    /// What was done since counting began, waiting draws included; zeros where nobody counts.
+    pub fn counters(&mut self) -> Counters {
+        self.engine.flush_scene();
+        let tally = self.engine.tally.as_ref();
+        tally.map_or_else(Counters::default, |tally| {
+            tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone()
+        })
+    }
+}
