@@ -94,6 +94,8 @@ pub struct Context {
     pub(crate) recorder: recorder::Recorder,
     pub(crate) debug: Option<DebugCallback>,
     pub(crate) trace: Option<TraceCallback>,
+    /// The program that the trace has told of last.
+    pub(crate) traced: std::sync::Weak<crate::fragment::program::Program>,
 }
 
 impl Context {
@@ -118,6 +120,7 @@ impl Context {
             recorder: recorder::Recorder::default(),
             debug: None,
             trace: None,
+            traced: std::sync::Weak::new(),
         }
     }
 }

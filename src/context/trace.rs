@@ -4,8 +4,10 @@
 
 use super::Context;
 use crate::enums;
+use crate::fragment::words::in_one_line;
 use std::fmt::{Debug, Write};
 use std::panic::Location;
+use std::sync::Arc;
 
 /// One call of a command.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -131,7 +133,8 @@ impl Show for Vec<super::Indices<'_>> {
 }
 
 impl Context {
-    /// Calls `callback` with every command before it is carried out; `None` ends that.
+    /// Calls `callback` with every command before it is carried out; `None` ends that. Where a draw has made a new plan, a
+    /// line called `plan` follows with what is kept, hoisted and left out ([`Context::explain`] has the reasons).
     pub fn set_trace_callback(&mut self, callback: Option<TraceCallback>) {
         self.hooks.set_tracing(callback.is_some());
         self.trace = callback;
@@ -143,6 +146,11 @@ impl Context {
     pub(crate) fn trace(&mut self, name: &'static str, args: &[(&str, &dyn Show)]) {
         let place = Location::caller();
         let Some(callback) = &mut self.trace else { return };
+        if let Some(program) = self.engine.program.as_ref().filter(|p| self.traced.as_ptr() != Arc::as_ptr(p)) {
+            self.traced = Arc::downgrade(program);
+            let args = in_one_line(&program.decisions);
+            callback(&Call { name: "plan", args, file: place.file(), line: place.line() });
+        }
         let mut text = String::new();
         for (i, (_, value)) in args.iter().enumerate() {
             if i > 0 {

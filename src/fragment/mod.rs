@@ -21,6 +21,7 @@ mod segments;
 pub mod stencil;
 mod tally;
 pub mod uniforms;
+pub mod words;
 
 #[cfg(test)]
 mod tests;

@@ -207,15 +207,4 @@ impl Program {
         }
         names
     }
-
-    /// The decisions as a table in plain text.
-    #[must_use]
-    pub fn explain(&self) -> String {
-        let width = self.decisions.iter().map(|d| d.stage.len()).max().unwrap_or(0);
-        let mut text = String::new();
-        for d in &self.decisions {
-            text.push_str(&format!("{:width$}  {:8}  {}\n", d.stage, d.fate, d.reason));
-        }
-        text
-    }
 }

@@ -48,11 +48,7 @@ impl Explanation {
     /// Everything in one line, for traces.
     #[must_use]
     pub fn in_one_line(&self) -> String {
-        let of = |fate: Fate| {
-            let all = self.decisions.iter().filter(|d| d.fate == fate);
-            all.map(|d| d.stage.as_str()).collect::<Vec<_>>().join(", ")
-        };
-        format!("kept: {}; hoisted: {}; left out: {}", of(Fate::Kept), of(Fate::Hoisted), of(Fate::LeftOut))
+        crate::fragment::words::in_one_line(&self.decisions)
     }
 }
 

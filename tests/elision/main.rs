@@ -6,3 +6,4 @@ mod random;
 mod rows;
 mod same_bytes;
 mod states;
+mod table;

@@ -1,308 +1,12 @@
-//! What is left out, one row an elision: a scene in which the work is not done at all, its counter being 0, and a near
-//! miss (w off by one unit in the last place, a density of 1e-30, one channel of the colour mask) in which it must be
-//! done. Both give the bytes of the general plan.
+//! Each row of the [table](super::table): its work is left out where it may be, done in the near miss, and both give the
+//! bytes of the general plan.
 
+use crate::table::{Draw, ROWS, Row, Work};
 use fixedgl::Context;
 use fixedgl::batch::Counters;
 use fixedgl::context::Config;
 use fixedgl::enums::*;
-use fixedgl::teach::{Explanation, Fate};
-
-/// What was done: how often some stages ran over a fragment, or some other count.
-struct Work<'a> {
-    counters: &'a Counters,
-    plan: &'a Explanation,
-}
-
-impl Work<'_> {
-    /// Fragments that came to a stage.
-    fn stage(&self, name: &str) -> u64 {
-        self.counters.stage(name).fragments
-    }
-
-    /// How many stages of the vertex plan have names that begin so.
-    fn vertex(&self, start: &str) -> u64 {
-        self.plan.vertex_stages.iter().filter(|name| name.starts_with(start)).count() as u64
-    }
-
-    /// 1 if a stage is kept.
-    fn kept(&self, stage: &str) -> u64 {
-        let decision = self.plan.decision(stage).unwrap_or_else(|| panic!("a line about {stage}"));
-        u64::from(decision.fate == Fate::Kept)
-    }
-}
-
-type Draw = fn(&mut Context);
-
-struct Row {
-    name: &'static str,
-    /// State of both scenes.
-    state: Draw,
-    left_out: Draw,
-    near_miss: Draw,
-    count: fn(&Work<'_>) -> u64,
-}
-
-/// A quadrilateral over the whole picture whose colours, coordinates and depth vary.
-fn quad_with(gl: &mut Context, vertex: impl Fn(&mut Context, usize, [f32; 2])) {
-    gl.begin(GL_QUADS);
-    for (i, [x, y]) in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0f32]].into_iter().enumerate() {
-        gl.color4f(0.5 + 0.5 * x, 0.3, 0.5 - 0.4 * y, 0.75);
-        gl.normal3f(0.3 * x, 0.2 * y, 1.0);
-        gl.tex_coord2f(0.8 * x + 0.9, 0.7 * y + 0.8);
-        vertex(gl, i, [x, y]);
-    }
-    gl.end();
-}
-
-fn quad(gl: &mut Context) {
-    quad_with(gl, |gl, _, [x, y]| gl.vertex3f(0.95 * x, 0.95 * y, 0.25));
-}
-
-/// The quadrilateral with corner 1 at another w.
-fn quad_w(gl: &mut Context, w: f32) {
-    quad_with(gl, |gl, i, [x, y]| {
-        let w = if i == 1 { w } else { 3.0 };
-        gl.vertex4f(0.95 * x * w, 0.95 * y * w, 0.0, w);
-    });
-}
-
-/// The quadrilateral with corner 1 at another q.
-fn quad_q(gl: &mut Context, q: f32) {
-    quad_with(gl, |gl, i, [x, y]| {
-        gl.tex_coord4f(x, y, 0.0, if i == 1 { q } else { 1.0 });
-        gl.vertex2f(0.95 * x, 0.95 * y);
-    });
-}
-
-/// The next number after 3 and after 1.
-const THREE_AND_A_BIT: f32 = f32::from_bits(3.0f32.to_bits() + 1);
-const ONE_AND_A_BIT: f32 = f32::from_bits(1.0f32.to_bits() + 1);
-
-/// A mipmapped texture of 32 by 32 random texels with the filters NEAREST and LINEAR_MIPMAP_LINEAR in use.
-fn texture(gl: &mut Context, internal: GLenum) {
-    let mut r = crate::random::Random::new(5);
-    let texels: Vec<u8> = (0..4 * 32 * 32).map(|_| r.below(256) as u8).collect();
-    gl.bind_texture(GL_TEXTURE_2D, internal);
-    gl.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
-    gl.tex_image_2d(GL_TEXTURE_2D, 0, internal, 32, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
-    filters(gl, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-    gl.enable(GL_TEXTURE_2D);
-}
-
-fn textured(gl: &mut Context) {
-    texture(gl, GL_RGBA8);
-}
-
-fn filters(gl: &mut Context, min: GLenum, mag: GLenum) {
-    gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min);
-    gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, mag);
-}
-
-fn parameter(gl: &mut Context, name: GLenum, value: f32) {
-    gl.tex_parameterf(GL_TEXTURE_2D, name, value);
-}
-
-fn lit(gl: &mut Context) {
-    gl.enable(GL_LIGHTING);
-    gl.enable(GL_LIGHT0);
-    gl.lightfv(GL_LIGHT0, GL_POSITION, &[0.2, 0.3, 1.0, 0.0]);
-    gl.materialfv(GL_FRONT, GL_SPECULAR, &[0.0, 0.0, 0.0, 1.0]);
-}
-
-fn specular(gl: &mut Context, color: f32) {
-    gl.materialfv(GL_FRONT, GL_SPECULAR, &[0.0, color, 0.0, 1.0]);
-    quad(gl);
-}
-
-fn fog(gl: &mut Context, density: f32) {
-    gl.enable(GL_FOG);
-    gl.fogfv(GL_FOG_COLOR, &[0.1, 0.9, 0.4, 1.0]);
-    gl.fogf(GL_FOG_DENSITY, density);
-    quad(gl);
-}
-
-fn depth(gl: &mut Context, func: GLenum) {
-    gl.enable(GL_DEPTH_TEST);
-    gl.depth_mask(false);
-    gl.depth_func(func);
-    quad(gl);
-}
-
-/// A quadrilateral over the whole picture at a depth, untextured, then the textured one behind or in front of it.
-fn hidden(gl: &mut Context, z: f32) {
-    gl.enable(GL_DEPTH_TEST);
-    gl.disable(GL_TEXTURE_2D);
-    quad_with(gl, |gl, _, [x, y]| gl.vertex3f(x, y, -z));
-    gl.enable(GL_TEXTURE_2D);
-    quad(gl);
-}
-
-fn blend(gl: &mut Context, src: GLenum, dst: GLenum) {
-    gl.enable(GL_BLEND);
-    gl.blend_func(src, dst);
-    quad(gl);
-}
-
-fn alpha(gl: &mut Context, func: GLenum, reference: f32) {
-    gl.enable(GL_ALPHA_TEST);
-    gl.alpha_func(func, reference);
-    quad(gl);
-}
-
-fn stencil(gl: &mut Context, func: GLenum, pass: GLenum) {
-    gl.enable(GL_STENCIL_TEST);
-    gl.stencil_func(func, 0, u32::MAX);
-    gl.stencil_op(GL_KEEP, GL_KEEP, pass);
-    quad(gl);
-}
-
-const ROWS: &[Row] = &[
-    Row {
-        name: "the division by w, where all w of a primitive are equal",
-        state: |_| {},
-        left_out: |gl| quad_w(gl, 3.0),
-        near_miss: |gl| quad_w(gl, THREE_AND_A_BIT),
-        count: |w| w.counters.divisions,
-    },
-    Row {
-        name: "the division by q, where q is 1",
-        state: textured,
-        left_out: |gl| quad_q(gl, 1.0),
-        near_miss: |gl| quad_q(gl, ONE_AND_A_BIT),
-        count: |w| w.counters.divisions,
-    },
-    Row {
-        name: "the level of detail, where both filters are the same and read one level",
-        state: textured,
-        left_out: |gl| (filters(gl, GL_LINEAR, GL_LINEAR), quad(gl)).1,
-        near_miss: |gl| (filters(gl, GL_NEAREST, GL_LINEAR), quad(gl)).1,
-        count: |w| w.counters.logarithms,
-    },
-    Row {
-        name: "the level of detail, where there is one level",
-        state: textured,
-        left_out: |gl| (parameter(gl, GL_TEXTURE_MAX_LEVEL, 0.0), quad(gl)).1,
-        near_miss: |gl| (parameter(gl, GL_TEXTURE_MAX_LEVEL, 1.0), quad(gl)).1,
-        count: |w| w.counters.logarithms,
-    },
-    Row {
-        name: "the level of detail, where its limits leave one value",
-        state: |gl| (textured(gl), parameter(gl, GL_TEXTURE_MIN_LOD, 1.5)).1,
-        left_out: |gl| (parameter(gl, GL_TEXTURE_MAX_LOD, 1.5), quad(gl)).1,
-        near_miss: |gl| (parameter(gl, GL_TEXTURE_MAX_LOD, 1.500_000_1), quad(gl)).1,
-        count: |w| w.counters.logarithms,
-    },
-    Row {
-        name: "the level of detail, where everything is magnified",
-        state: textured,
-        left_out: |gl| (parameter(gl, GL_TEXTURE_MAX_LOD, 0.0), quad(gl)).1,
-        near_miss: |gl| (parameter(gl, GL_TEXTURE_MAX_LOD, 1e-7), quad(gl)).1,
-        count: |w| w.counters.logarithms,
-    },
-    Row {
-        name: "the texture matrix, where it is the identity",
-        state: |gl| (textured(gl), gl.matrix_mode(GL_TEXTURE)).1,
-        left_out: |gl| (gl.scalef(1.0, 1.0, 1.0), quad(gl)).1,
-        near_miss: |gl| (gl.scalef(ONE_AND_A_BIT, 1.0, 1.0), quad(gl)).1,
-        count: |w| w.vertex("TEX_MATRIX"),
-    },
-    Row {
-        name: "generation of a coordinate that the target does not use",
-        state: textured,
-        left_out: |gl| (gl.enable(GL_TEXTURE_GEN_R), quad(gl)).1,
-        near_miss: |gl| (gl.enable(GL_TEXTURE_GEN_T), quad(gl)).1,
-        count: |w| w.vertex("GEN_"),
-    },
-    Row {
-        name: "the primary colour, where a texture replaces all of it",
-        state: |gl| gl.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE),
-        left_out: |gl| (texture(gl, GL_RGBA8), quad(gl)).1,
-        near_miss: |gl| (texture(gl, GL_RGB8), quad(gl)).1,
-        count: |w| w.kept("colour"),
-    },
-    Row {
-        name: "the specular term, where its colour is black",
-        state: lit,
-        left_out: |gl| specular(gl, 0.0),
-        near_miss: |gl| specular(gl, 1e-7),
-        count: |w| w.vertex("LIGHT_SPECULAR"),
-    },
-    Row {
-        name: "attenuation, where the light is directional",
-        state: lit,
-        left_out: |gl| (gl.lightfv(GL_LIGHT0, GL_POSITION, &[0.0, 0.0, 1.0, 0.0]), quad(gl)).1,
-        near_miss: |gl| {
-            gl.lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 1e-7);
-            gl.lightfv(GL_LIGHT0, GL_POSITION, &[0.0, 0.0, 1.0, 1e-7]);
-            quad(gl);
-        },
-        count: |w| w.vertex("LIGHT_LOCAL"),
-    },
-    Row {
-        name: "normals, where no light needs them",
-        state: |gl| gl.enable(GL_LIGHTING),
-        left_out: quad,
-        near_miss: |gl| (gl.enable(GL_LIGHT0), quad(gl)).1,
-        count: |w| w.vertex("NORMAL"),
-    },
-    Row {
-        name: "fog, where its density is 0",
-        state: |_| {},
-        left_out: |gl| fog(gl, 0.0),
-        near_miss: |gl| fog(gl, 1e-30),
-        count: |w| w.kept("fog"),
-    },
-    Row {
-        name: "the depth test, where it passes all and writes nothing",
-        state: |_| {},
-        left_out: |gl| depth(gl, GL_ALWAYS),
-        near_miss: |gl| depth(gl, GL_LEQUAL),
-        count: |w| w.stage("DEPTH_TEST") + w.kept("depth test"),
-    },
-    Row {
-        name: "the alpha test, where it passes all",
-        state: |_| {},
-        left_out: |gl| alpha(gl, GL_ALWAYS, 0.5),
-        near_miss: |gl| alpha(gl, GL_GEQUAL, 1.0 / 255.0),
-        count: |w| w.stage("ALPHA_TEST"),
-    },
-    Row {
-        name: "the stencil test, where it passes all and writes nothing",
-        state: |_| {},
-        left_out: |gl| stencil(gl, GL_ALWAYS, GL_KEEP),
-        near_miss: |gl| stencil(gl, GL_ALWAYS, GL_REPLACE),
-        count: |w| w.stage("STENCIL_TEST") + w.stage("STENCIL_WRITE"),
-    },
-    Row {
-        name: "reading what is there, where blending ignores it",
-        state: |_| {},
-        left_out: |gl| blend(gl, GL_ONE, GL_ZERO),
-        near_miss: |gl| blend(gl, GL_ONE, GL_ONE_MINUS_SRC_ALPHA),
-        count: |w| w.kept("blending"),
-    },
-    Row {
-        name: "texturing of what is hidden",
-        state: textured,
-        left_out: |gl| hidden(gl, 0.5),
-        near_miss: |gl| hidden(gl, -0.5),
-        count: |w| w.counters.texels,
-    },
-    Row {
-        name: "draws that write nothing",
-        state: |gl| gl.color_mask(false, false, false, false),
-        left_out: quad,
-        near_miss: |gl| (gl.color_mask(false, false, true, false), quad(gl)).1,
-        count: |w| w.counters.fragments,
-    },
-    Row {
-        name: "fragments of the side that is culled",
-        state: |gl| gl.enable(GL_CULL_FACE),
-        left_out: |gl| (gl.cull_face(GL_FRONT), quad(gl)).1,
-        near_miss: |gl| (gl.cull_face(GL_BACK), quad(gl)).1,
-        count: |w| w.counters.fragments,
-    },
-];
+use fixedgl::teach::Explanation;
 
 /// Draws a scene; the picture, the counters and the plan.
 fn run(row: &Row, draw: Draw, general_plan: bool) -> (Vec<u8>, Counters, Explanation) {
@@ -346,4 +50,28 @@ fn counting_changes_no_byte() {
         };
         assert!(draw(true) == draw(false), "{}", row.name);
     }
+}
+
+#[test]
+fn a_trace_tells_each_new_plan_once() {
+    let plans = std::sync::Arc::new(std::sync::Mutex::new(Vec::new()));
+    let seen = std::sync::Arc::clone(&plans);
+    let mut gl = Context::new(8, 8);
+    gl.set_trace_callback(Some(Box::new(move |call| {
+        if call.name == "plan" {
+            seen.lock().expect("one thread").push(call.args.clone());
+        }
+    })));
+    for func in [GL_LESS, GL_ALWAYS] {
+        gl.enable(GL_DEPTH_TEST);
+        gl.depth_func(func);
+        gl.depth_mask(false);
+        for _ in 0..3 {
+            gl.rectf(-1.0, -1.0, 1.0, 1.0);
+        }
+        gl.flush();
+    }
+    let plans = plans.lock().expect("one thread");
+    let kept = plans.iter().map(|plan| plan.split(';').next().unwrap_or_default().contains("depth test"));
+    assert_eq!(kept.collect::<Vec<_>>(), [true, false], "{plans:?}");
 }
