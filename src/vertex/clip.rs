@@ -80,6 +80,41 @@ impl Plane {
             Self::Guard(..) => {}
         }
     }
+
+    /// Puts a corner between a and b on a side of the guard band, both coordinates anew. A corner may be 1e38 pixels away,
+    /// and what is then left of the sum of two such numbers is nothing but its rounding; the line through a and b is known
+    /// better: by products whose errors are known, too.
+    fn settle_guard(self, c: &mut Corner, a: &[f64; 4], b: &[f64; 4], v: &ViewportNumbers) {
+        let Self::Guard(i, greatest) = self else { return };
+        let other = 1 - i;
+        let (g, h) = if greatest { (GUARD_BAND - v.center[i], -v.half[i]) } else { (GUARD_BAND + v.center[i], v.half[i]) };
+        let d = |k: usize, l: usize| determinant([a[k], a[l]], [b[k], b[l]]);
+        let on = -g * c.clip[3] / h;
+        let across = c.clip[3] * ((g * d(other, 3) + h * d(other, i)) / (h * d(3, i)));
+        // Numbers near the ends of f64's range keep what the sum gave.
+        if on.is_finite() && across.is_finite() {
+            c.clip[i] = on;
+            c.clip[other] = across;
+        }
+    }
+}
+
+/// a0 b1 - a1 b0, rounded as if the products were exact. Exchanging a and b changes the sign and nothing else.
+fn determinant(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (p, p_error) = product(a[0], b[1]);
+    let (q, q_error) = product(a[1], b[0]);
+    (p - q) + (p_error - q_error)
+}
+
+/// A product and its rounding error (Dekker's, of halves of 26 bits).
+fn product(a: f64, b: f64) -> (f64, f64) {
+    let halves = |v: f64| {
+        let high = f64::from_bits(v.to_bits() & !0x7FF_FFFF);
+        (high, v - high)
+    };
+    let ((a1, a0), (b1, b0)) = (halves(a), halves(b));
+    let p = a * b;
+    (p, ((a1 * b1 - p) + (a1 * b0 + a0 * b1)) + a0 * b0)
 }
 
 /// Both weights of a point between a and b; their products' sum does not depend on the order of the two.
@@ -159,6 +194,7 @@ impl Clipper {
             original: None,
         };
         plane.settle(&mut corner);
+        plane.settle_guard(&mut corner, &a.clip, &b.clip, &plan.uniforms.viewport);
         corner
     }
 
