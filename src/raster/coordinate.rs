@@ -153,6 +153,8 @@ fn projective(
     let least = rq[0].abs().min(rq[1].abs()).min(rq[2].abs());
     let one_sign = rq.iter().all(|q| *q > 0.0) || rq.iter().all(|q| *q < 0.0);
     let healthy = one_sign && big.at.abs() >= 0.5 * least && big.at.abs() <= 2.0 * greatest;
+    // Where q goes through 0 what is common to the corners is that of the greatest q: s/q of one near 0 would drown the rest.
+    let firm = (0..3).fold(0, |best, i: usize| if rq[i].abs() > rq[best].abs() { i } else { best });
     let count = out.len().saturating_sub(1);
     for (k, plane) in out.iter_mut().enumerate().take(count.min(3)) {
         let values = [0, 1, 2].map(|i: usize| s.get(i).and_then(|s| s.get(k)).copied().unwrap_or(0.0));
@@ -164,7 +166,7 @@ fn projective(
         let mut min = at[0].min(at[1]).min(at[2]);
         let mut max = at[0].max(at[1]).max(at[2]);
         let s = basis.linear([r[0] * values[0], r[1] * values[1], r[2] * values[2]]);
-        let here = if at[0] == at[1] && at[1] == at[2] || !healthy { at[0] } else { (s.at / big.at) as f32 };
+        let here = if at[0] == at[1] && at[1] == at[2] || !healthy { at[firm] } else { (s.at / big.at) as f32 };
         let here = if here < min { min } else { here };
         let mut c = if here > max { max } else { here };
         if !c.is_finite() {
