@@ -4,10 +4,12 @@
 //! versions are held to them too; `FIXEDGL_BLESS=1 cargo test --test invariance` writes the file anew after a deliberate
 //! change (look at the pictures first).
 
+#[path = "support/everywhere.rs"]
+mod everywhere;
 #[path = "golden/scenes.rs"]
 mod scenes;
 
-use fixedgl::batch::Level;
+use everywhere::{Frame, reference, variants};
 use fixedgl::c::{make_current, take_current};
 use fixedgl::context::Config;
 use fixedgl::{Context, context};
@@ -15,36 +17,12 @@ use scenes::{SCENES, Scene};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// All that a scene leaves in the framebuffer.
-#[derive(PartialEq)]
-struct Frame {
-    colors: Vec<u8>,
-    depths: Vec<u64>,
-    stencils: Vec<u8>,
-}
-
 fn draw(scene: &Scene, config: Config) -> Frame {
     make_current(Context::with_config(scene.size[0], scene.size[1], config));
     (scene.draw)();
     let mut context = take_current().expect("the context from above");
     assert_eq!(context.check(), Ok(()), "{} causes a GL error", scene.name);
-    let depths = context.depths().iter().map(|depth| depth.to_bits()).collect();
-    Frame { colors: context.pixels(), depths, stencils: context.stencils() }
-}
-
-/// The reference: one thread, full batches, the best instruction set.
-fn reference() -> Config {
-    Config { threads: 1, ..Config::default() }
-}
-
-fn variants() -> Vec<Config> {
-    let base = reference();
-    let mut all: Vec<Config> = Level::available().map(|level| Config { level, ..base }).collect();
-    all.extend([2, 7].map(|threads| Config { threads, ..base }));
-    all.extend([17, 1].map(|batch_cut| Config { batch_cut, ..base }));
-    all.push(Config { general_plan: true, ..base });
-    all.push(Config { level: Level::Baseline, threads: 7, batch_cut: 17, general_plan: true, ..base });
-    all
+    Frame::of(&mut context)
 }
 
 /// FNV-1a.
@@ -59,7 +37,7 @@ fn every_way_of_running_gives_the_same_bytes() {
         let expected = draw(scene, reference());
         for config in variants() {
             let found = draw(scene, config);
-            let pixels = expected.colors.chunks(4).zip(found.colors.chunks(4)).filter(|(a, b)| a != b).count();
+            let pixels = expected.differing(&found);
             assert!(found == expected, "{}: {pixels} pixels differ with {config:?}", scene.name);
             compared += 1;
         }
