@@ -87,7 +87,8 @@ impl Plane {
     fn settle_guard(self, c: &mut Corner, a: &[f64; 4], b: &[f64; 4], v: &ViewportNumbers) {
         let Self::Guard(i, greatest) = self else { return };
         let other = 1 - i;
-        let (g, h) = if greatest { (GUARD_BAND - v.center[i], -v.half[i]) } else { (GUARD_BAND + v.center[i], v.half[i]) };
+        let (g, h) =
+            if greatest { (GUARD_BAND - v.center[i], -v.half[i]) } else { (GUARD_BAND + v.center[i], v.half[i]) };
         let d = |k: usize, l: usize| determinant([a[k], a[l]], [b[k], b[l]]);
         let on = -g * c.clip[3] / h;
         let across = c.clip[3] * ((g * d(other, 3) + h * d(other, i)) / (h * d(3, i)));

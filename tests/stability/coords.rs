@@ -93,7 +93,8 @@ fn number(color: f32) -> f64 {
 
 /// A coordinate of any kind.
 fn coordinate(random: &mut Random) -> f32 {
-    let near = |v: f32, random: &mut Random| f32::from_bits(v.to_bits().wrapping_add(random.below(5) as u32).wrapping_sub(2));
+    let near =
+        |v: f32, random: &mut Random| f32::from_bits(v.to_bits().wrapping_add(random.below(5) as u32).wrapping_sub(2));
     match random.below(6) {
         0 => any_size(random, -45.0, 38.5),
         1 => any_size(random, -3.0, 7.0),
@@ -201,7 +202,12 @@ fn far_ramps(w: &mut Worst) {
                     cx.vertex4d(x * depth, y * depth, 0.0, depth);
                 }
                 cx.end();
-                let window = |[x, y, depth]: [f64; 3]| Window { x: 32.0 + 32.0 * x, y: 32.0 + 32.0 * y, z: 0.0, inv_w: 1.0 / depth };
+                let window = |[x, y, depth]: [f64; 3]| Window {
+                    x: 32.0 + 32.0 * x,
+                    y: 32.0 + 32.0 * y,
+                    z: 0.0,
+                    inv_w: 1.0 / depth,
+                };
                 let triangle = Triangle(corners.map(window));
                 for (i, color) in read(&mut cx).into_iter().enumerate() {
                     let at = [(i % 64) as f64 + 0.5, (i / 64) as f64 + 0.5];
@@ -230,7 +236,8 @@ fn tiny_negative(w: &mut Worst) {
             for (c, got) in coords.iter().zip(texels(&sampler, &mut b, &coords)) {
                 for k in 0..2 {
                     let exact = nearest_index(mode, f64::from(c[k]), i64::from(n)) as f64;
-                    let right = if n.is_power_of_two() { got[k] == exact } else { (0.0..f64::from(n)).contains(&got[k]) };
+                    let right =
+                        if n.is_power_of_two() { got[k] == exact } else { (0.0..f64::from(n)).contains(&got[k]) };
                     w.holds(right, || format!("{mode:#x} N = {n}: {} reads {}, want {exact}", c[k], got[k]));
                 }
             }
@@ -303,7 +310,8 @@ fn no_numbers(w: &mut Worst) {
                     w.holds(got == plain, || format!("{bad} is not read as 0 with {mode:#x}"));
                 }
                 for (corner, k) in (0..8).map(|i| (i / 4, i % 4)) {
-                    let mut strq = [[0.25, 0.5, 0.0, 1.0], [0.75, 0.5, 0.0, 1.0], [0.75, 1.5, 0.0, 1.0], [0.25, 1.5, 0.0, 1.0]];
+                    let mut strq =
+                        [[0.25, 0.5, 0.0, 1.0], [0.75, 0.5, 0.0, 1.0], [0.75, 1.5, 0.0, 1.0], [0.25, 1.5, 0.0, 1.0]];
                     strq[corner][k] = bad;
                     let got = everywhere(w, [8, 8], draw(strq));
                     let inside = |v: f32| (15.999..=31.001).contains(&(v * 255.0));
@@ -395,7 +403,12 @@ fn steep_q(w: &mut Worst) {
             cx.vertex4d(x, y, 0.0, depth);
         }
         cx.end();
-        let window = |[x, y, depth, ..]: [f64; 5]| Window { x: 16.0 + 16.0 * x / depth, y: 16.0 + 16.0 * y / depth, z: 0.0, inv_w: 1.0 / depth };
+        let window = |[x, y, depth, ..]: [f64; 5]| Window {
+            x: 16.0 + 16.0 * x / depth,
+            y: 16.0 + 16.0 * y / depth,
+            z: 0.0,
+            inv_w: 1.0 / depth,
+        };
         let triangle = Triangle(corners.map(window));
         w.fuzzed += 1;
         for (i, color) in read(&mut cx).into_iter().enumerate() {

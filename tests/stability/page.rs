@@ -6,11 +6,14 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 /// The parts of the page and their rows.
-const PARTS: &[(&str, &[Row])] = &[("clip", crate::clip::ROWS), ("raster", crate::raster::ROWS)];
+const PARTS: &[(&str, &[Row])] =
+    &[("clip", crate::clip::ROWS), ("raster", crate::raster::ROWS), ("coords", crate::coords::ROWS)];
 
 /// The table of a part, with figures where they are measured.
 fn table(rows: &[Row]) -> String {
-    let mut text = String::from("| row | input | expected | formulation | allowed | worst | cases |\n|---|---|---|---|---|---|---|\n");
+    let mut text = String::from(
+        "| row | input | expected | formulation | allowed | worst | cases |\n|---|---|---|---|---|---|---|\n",
+    );
     for row in rows {
         let worst = row.measure();
         writeln!(text, "{}", row.line(&worst)).expect("a string takes text");

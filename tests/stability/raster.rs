@@ -156,7 +156,8 @@ fn slivers(w: &mut Worst) {
         for number in 1..=1000 {
             let p = |random: &mut Random| [random.range(0.0, 128.0), random.range(0.0, 128.0)];
             let (a, b, t) = (p(&mut random), p(&mut random), random.range(-0.2, 1.2));
-            let mut near = |k: usize| a[k] + t * (b[k] - a[k]) + random.range(-1.0, 1.0) * [0.001, 0.01, 0.1, 0.5][round % 4];
+            let mut near =
+                |k: usize| a[k] + t * (b[k] - a[k]) + random.range(-1.0, 1.0) * [0.001, 0.01, 0.1, 0.5][round % 4];
             let c = [near(0), near(1)];
             let values: [f32; 3] = std::array::from_fn(|_| random.range(0.0, 1.0) as f32);
             for (p, v) in [a, b, c].iter().zip(values) {
@@ -419,7 +420,7 @@ fn drawn_again(w: &mut Worst) {
         draw(&mut cx);
         let (depths, stencils) = (cx.depths(), cx.stencils());
         let failed = depths.iter().zip(stencils).filter(|(d, s)| (**d < 1.0) != (*s == 1)).count();
-        
+
         w.count(failed as u64, 4096, || format!("triangle {round}, change {}", round % CHANGES.len()));
         if round < CHANGES.len() {
             everywhere(w, [64, 64], draw);

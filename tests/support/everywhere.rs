@@ -1,6 +1,8 @@
 //! The ways of running that must not change a bit: every instruction set that the processor has, 1, 2 and 7 threads, two
 //! batch cuts, the plan that leaves nothing out. And what a picture is compared by: colours, depths and stencil values.
 
+#![allow(dead_code, reason = "every test binary that includes this uses another part of it")]
+
 use fixedgl::Context;
 use fixedgl::batch::Level;
 use fixedgl::context::Config;
