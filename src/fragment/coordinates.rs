@@ -9,8 +9,8 @@
 //! result becomes `f32`. Whatever comes in, a finite coordinate goes out: what is not finite becomes 0.
 
 use super::batch::{FragmentBatch, Segment};
-use super::interpolate::{FIRST, reciprocal64, reciprocals};
-use super::planes::{Linear, Plane, Planes, UnitSlots};
+use super::interpolate::{FIRST, group, reciprocal64, reciprocals};
+use super::planes::{GROUP, Linear, Plane, PlaneGroup, Planes, UnitSlots};
 use super::segments::{CHUNK, Chunk, IOTA, Piece, linear, linear64, pieces, positions, put, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
@@ -50,10 +50,13 @@ struct Unit<'a, const K: usize> {
 fn unit<'a, const K: usize>(w: &Work<'a, '_>, segment: &Segment, slots: &UnitSlots, index: u32) -> Option<Unit<'a, K>> {
     let planes = w.planes.get(segment.prim as usize)?;
     let first = (planes.first as usize).checked_add(slots.base)?;
-    let coords = w.pool.get(first..)?.first_chunk()?;
+    if planes.member.is_some() {
+        return None;
+    }
+    let coords = w.pool.alone.get(first..)?.first_chunk()?;
     let has_q = slots.has_q && !slots.cube;
     let divisor = if has_q {
-        let q = w.pool.get(first + K)?;
+        let q = w.pool.alone.get(first + K)?;
         Linear { at: q.n0, x: q.nx, y: q.ny }
     } else {
         planes.d
@@ -210,6 +213,42 @@ fn narrow<const K: usize>(
     }
 }
 
+/// A piece of a segment whose primitive is in a group; those have no q.
+#[inline(always)]
+fn grouped<const K: usize>(
+    b: &mut FragmentBatch,
+    planes: &Planes,
+    (groups, member): (&[PlaneGroup; K], usize),
+    first: bool,
+    derivatives: bool,
+    piece: Piece,
+    (dx, dy): (&Chunk, &Chunk),
+) {
+    let (d_x, d_y) = (planes.d.x as f32, planes.d.y as f32);
+    let rw = reciprocals(&mut b.rw, planes, first, piece, dx, dy);
+    let at = member % GROUP;
+    for k in 0..K {
+        let p = &groups[k];
+        let (x, y) = (p.nx[at], p.ny[at]);
+        let n = linear(p.n0[at], x, y, dx, dy);
+        let mut out = [0.0; CHUNK];
+        for i in 0..CHUNK {
+            out[i] = finite(clamp_f32(p.c[at] + n[i] * rw[i], p.min[at], p.max[at]));
+        }
+        put(&mut b.tex.coord[k], piece, &out);
+        if derivatives {
+            let mut out_y = [0.0; CHUNK];
+            for i in 0..CHUNK {
+                let t = n[i] * rw[i];
+                out[i] = (x - t * d_x) * rw[i];
+                out_y[i] = (y - t * d_y) * rw[i];
+            }
+            put(&mut b.tex.ddx[k], piece, &out);
+            put(&mut b.tex.ddy[k], piece, &out_y);
+        }
+    }
+}
+
 /// A piece of a segment in `f64`.
 #[inline(always)]
 fn wide<const K: usize>(
@@ -272,6 +311,15 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &
     }
     for s in 0..b.segment_count.min(LANES) {
         let segment = b.segments[s];
+        if let Some(planes) = w.planes.get(segment.prim as usize)
+            && let Some(group) = group::<K>(w, planes, slots.base)
+        {
+            for piece in pieces(&segment) {
+                let (dx, dy) = positions((&b.dx, &b.dy), &segment, planes, piece);
+                grouped(b, planes, group, first, derivatives, piece, (&dx, &dy));
+            }
+            continue;
+        }
         let Some(unit) = unit::<K>(w, &segment, slots, index) else { continue };
         for piece in pieces(&segment) {
             let (dx, dy) = positions((&b.dx, &b.dy), &segment, unit.planes, piece);

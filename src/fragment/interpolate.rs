@@ -3,7 +3,7 @@
 //! for the stages that follow.
 
 use super::batch::{FragmentBatch, Segment};
-use super::planes::{Plane, Planes};
+use super::planes::{GROUP, Plane, PlaneGroup, Planes};
 use super::segments::{
     CHUNK, Chunk, IOTA, Piece, chunk, linear, linear64, pieces, positions, put, row_origin, single_row,
 };
@@ -52,7 +52,30 @@ pub(super) fn value(p: &Plane, wide: bool, dx: &Chunk, dy: &Chunk, rw: &Chunk) -
     n
 }
 
-/// The primitive of a segment and the planes of its slots from `slot` on.
+/// The same for a member of a group.
+#[inline(always)]
+pub(super) fn value_of_member(p: &PlaneGroup, member: usize, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
+    let at = member % GROUP;
+    let mut n = linear(p.n0[at], p.nx[at], p.ny[at], dx, dy);
+    for i in 0..CHUNK {
+        n[i] = clamp_f32(p.c[at] + n[i] * rw[i], p.min[at], p.max[at]);
+    }
+    n
+}
+
+/// The group of a primitive that is in one, for its slots from `slot` on, and which one it is of the group.
+#[inline(always)]
+pub(super) fn group<'a, const K: usize>(
+    work: &Work<'a, '_>,
+    planes: &Planes,
+    slot: usize,
+) -> Option<(&'a [PlaneGroup; K], usize)> {
+    let member = planes.member?;
+    let first = (planes.first as usize).checked_add(slot)?;
+    Some((work.pool.groups.get(first..)?.first_chunk()?, member as usize))
+}
+
+/// The primitive of a segment, which is in no group, and the planes of its slots from `slot` on.
 #[inline(always)]
 pub(super) fn primitive<'a, const K: usize>(
     work: &Work<'a, '_>,
@@ -61,7 +84,10 @@ pub(super) fn primitive<'a, const K: usize>(
 ) -> Option<(&'a Planes, &'a [Plane; K])> {
     let planes = work.planes.get(segment.prim as usize)?;
     let first = (planes.first as usize).checked_add(slot)?;
-    Some((planes, work.pool.get(first..)?.first_chunk()?))
+    if planes.member.is_some() {
+        return None;
+    }
+    Some((planes, work.pool.alone.get(first..)?.first_chunk()?))
 }
 
 /// Makes sure that `rw` holds 1 / D: `first` is whether this stage is the first to need it.
@@ -151,6 +177,18 @@ fn slots<const K: usize>(
         return;
     }
     for segment in b.segments {
+        if let Some(planes) = work.planes.get(segment.prim as usize)
+            && let Some((groups, member)) = group::<K>(work, planes, slot)
+        {
+            for piece in pieces(segment) {
+                let (dx, dy) = positions(b.lanes, segment, planes, piece);
+                let rw = reciprocals(rw, planes, first, piece, &dx, &dy);
+                for k in 0..K {
+                    put(&mut out[k], piece, &value_of_member(&groups[k], member, &dx, &dy, &rw));
+                }
+            }
+            continue;
+        }
         let Some((planes, pool)) = primitive::<K>(work, segment, slot) else { continue };
         for piece in pieces(segment) {
             let (dx, dy) = positions(b.lanes, segment, planes, piece);

@@ -5,7 +5,7 @@
 
 use super::batch::FragmentBatch;
 use super::buffers::{load, places, store};
-use super::interpolate::{FIRST, primitive, reciprocals, value};
+use super::interpolate::{FIRST, group, primitive, reciprocals, value, value_of_member};
 use super::planes::{Plane, Planes};
 use super::segments::{CHUNK, IOTA, pieces, positions, put, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
@@ -151,6 +151,21 @@ fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, a
     }
     for s in 0..b.segment_count.min(LANES) {
         let segment = b.segments[s];
+        if let Some(planes) = w.planes.get(segment.prim as usize)
+            && let Some((groups, member)) = group::<4>(w, planes, slot)
+        {
+            for piece in pieces(&segment) {
+                let (dx, dy) = positions((&b.dx, &b.dy), &segment, planes, piece);
+                let rw = reciprocals(&mut b.rw, planes, arg & FIRST != 0, piece, &dx, &dy);
+                let v = [0, 1, 2, 3].map(|k: usize| value_of_member(&groups[k], member, &dx, &dy, &rw));
+                let mut out = [0; CHUNK];
+                for i in 0..CHUNK {
+                    out[i] = pixel(byte(v[0][i]), byte(v[1][i]), byte(v[2][i]), byte(v[3][i])) | or;
+                }
+                put(&mut b.packed, piece, &out);
+            }
+            continue;
+        }
         let Some((planes, pool)) = primitive::<4>(w, &segment, slot) else { continue };
         let flat = constant(pool);
         for piece in pieces(&segment) {

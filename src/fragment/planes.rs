@@ -76,6 +76,66 @@ pub struct Plane {
     pub ny: f64,
 }
 
+/// How many small primitives share a [`PlaneGroup`].
+pub const GROUP: usize = 16;
+
+/// The planes of one slot of a group of small primitives, coefficient by coefficient and rounded to f32: none of them is
+/// wide. So they are computed and written a primitive a lane, and a fragment stage reads of them no more than it uses.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(64))]
+pub struct PlaneGroup {
+    /// See [`Plane::c`].
+    pub c: [f32; GROUP],
+    /// See [`Plane::min`].
+    pub min: [f32; GROUP],
+    /// See [`Plane::max`].
+    pub max: [f32; GROUP],
+    /// See [`Plane::n0`].
+    pub n0: [f32; GROUP],
+    /// See [`Plane::nx`].
+    pub nx: [f32; GROUP],
+    /// See [`Plane::ny`].
+    pub ny: [f32; GROUP],
+}
+
+impl PlaneGroup {
+    /// The plane of a primitive of the group.
+    #[must_use]
+    pub fn plane(&self, member: u8) -> Plane {
+        let i = member as usize % GROUP;
+        let wide = |n: &[f32; GROUP]| f64::from(n[i]);
+        let (n0, nx, ny) = (wide(&self.n0), wide(&self.nx), wide(&self.ny));
+        Plane { c: self.c[i], min: self.min[i], max: self.max[i], n0, nx, ny }
+    }
+}
+
+/// The planes of a scene's slots.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PlanePool<'a> {
+    /// Those of primitives that stand alone.
+    pub alone: &'a [Plane],
+    /// Those of small ones in groups.
+    pub groups: &'a [PlaneGroup],
+}
+
+impl PlanePool<'_> {
+    /// The plane of a primitive's slot.
+    #[must_use]
+    pub fn plane(&self, of: &Planes, slot: usize) -> Option<Plane> {
+        let at = (of.first as usize).checked_add(slot)?;
+        match of.member {
+            Some(member) => self.groups.get(at).map(|group| group.plane(member)),
+            None => self.alone.get(at).copied(),
+        }
+    }
+}
+
+impl<'a> From<&'a Vec<Plane>> for PlanePool<'a> {
+    fn from(alone: &'a Vec<Plane>) -> Self {
+        Self { alone, groups: &[] }
+    }
+}
+
 /// A linear function of the window position, f64.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
@@ -106,6 +166,8 @@ pub struct Planes {
     /// Index of the first slot's [`Plane`] in the scene's pool; slot k is at `first + k`. The plane of a unit's q slot
     /// holds Q in n0, nx, ny.
     pub first: u32,
+    /// Which one it is of a group, if it is in one: then `first` is the index of a [`PlaneGroup`].
+    pub member: Option<u8>,
 }
 
 impl Planes {

@@ -3,7 +3,7 @@
 //! the reasons, stays with the program so that it can be explained.
 
 use super::batch::{FragmentBatch, Segment};
-use super::planes::{Layout, Plane, Planes};
+use super::planes::{Layout, PlanePool, Planes};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, Step, Tally};
 use crate::framebuffer::Band;
@@ -109,8 +109,14 @@ impl Program {
     /// Runs the program over a batch: `segments` and `tex.n` are set, and for lanes of segments that are no rows
     /// `offset`, `dx` and `dy`. `planes` and `pool` are the scene's. The batch can be cleared and filled again after it.
     #[inline]
-    pub fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
-        let mut work = Work { planes, pool, band };
+    pub fn run<'a>(
+        &self,
+        batch: &mut FragmentBatch,
+        planes: &'a [Planes],
+        pool: impl Into<PlanePool<'a>>,
+        band: &mut Band<'_>,
+    ) {
+        let mut work = Work { planes, pool: pool.into(), band };
         if let Some(tally) = &self.tally {
             return self.run_counted(batch, &mut work, tally);
         }
@@ -156,15 +162,15 @@ impl Program {
     /// Works on pixels of one primitive and row, from its start on as many as pay: the rest, whose number is less than
     /// [`row_from`](Self::row_from) as a rule, must come in batches. Returns how many it has done.
     #[inline]
-    pub fn row(
+    pub fn row<'a>(
         &self,
         batch: &mut FragmentBatch,
         run: Segment,
-        planes: &[Planes],
-        pool: &[Plane],
+        planes: &'a [Planes],
+        pool: impl Into<PlanePool<'a>>,
         band: &mut Band<'_>,
     ) -> u32 {
-        let len = run.len;
+        let (len, pool) = (run.len, pool.into());
         if let Some(step) = &self.fill {
             batch.segments[0] = run;
             batch.segment_count = 1;

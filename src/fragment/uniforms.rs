@@ -3,7 +3,7 @@
 
 use super::batch::FragmentBatch;
 use super::blend::{Equation, Factor};
-use super::planes::{Layout, Plane, Planes};
+use super::planes::{Layout, PlanePool, Planes};
 use super::stencil::StencilOp;
 use crate::framebuffer::Band;
 
@@ -72,7 +72,7 @@ pub struct Work<'a, 'b> {
     /// What fragments need to know of each primitive.
     pub planes: &'a [Planes],
     /// The planes of the primitives' slots.
-    pub pool: &'a [Plane],
+    pub pool: PlanePool<'a>,
     /// The rows that are drawn into.
     pub band: &'a mut Band<'b>,
 }

@@ -7,7 +7,7 @@ use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
 use super::scene::{Draw, Shader};
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::planes::{Plane, Planes};
+use crate::fragment::planes::{PlanePool, Planes};
 use crate::framebuffer::{Band, Framebuffer};
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
@@ -35,7 +35,7 @@ fn band_rows(height: u32) -> u32 {
 struct Target<'a, 'b, P> {
     program: &'a P,
     planes: &'a [Planes],
-    pool: &'a [Plane],
+    pool: PlanePool<'a>,
     band: &'a mut Band<'b>,
 }
 
@@ -176,7 +176,7 @@ impl<P: Shader> Flush<'_, P> {
                         let skip = byte.trailing_zeros();
                         let len = (byte >> skip).trailing_ones();
                         at += skip as i32;
-                        to.run(at, row, len as i32, 1.0, sink);
+                        to.short_run(at, row, len as i32, 1.0, sink);
                         at += len as i32;
                         byte >>= skip + len;
                     }

@@ -52,7 +52,7 @@ impl Recipe {
 }
 
 /// An f32 evaluation is off by about 2^-23 of the terms it adds, in texels; 2^-11 texel is what may be lost.
-const LIMIT: f64 = 4096.0;
+pub(super) const LIMIT: f64 = 4096.0;
 
 /// A unit's q at the corners.
 fn corners_q(slots: &UnitSlots, values: &Values) -> [f64; 3] {
@@ -103,18 +103,23 @@ fn floor(x: f64) -> f64 {
     r - if r > x { 1.0 } else { 0.0 }
 }
 
-/// Takes whole periods off a plane, so that its values are near 0.
+/// What whole periods come to that can be taken off a value.
 #[inline(always)]
-fn take_period_off(plane: &mut Plane, period: u8) {
-    let c = f64::from(plane.c);
-    let whole = match period {
-        0 => return,
+pub(super) fn whole_periods(c: f64, period: u8) -> f64 {
+    match period {
+        0 => 0.0,
         1 => floor(c),
         _ if c.abs() >= 16_777_216.0 => c,
         _ => floor(c * 0.5) * 2.0,
-    };
+    }
+}
+
+/// Takes whole periods off a plane, so that its values are near 0.
+#[inline(always)]
+fn take_period_off(plane: &mut Plane, period: u8) {
+    let whole = whole_periods(f64::from(plane.c), period);
     if whole != 0.0 {
-        plane.c = (c - whole) as f32;
+        plane.c = (f64::from(plane.c) - whole) as f32;
         plane.min = (f64::from(plane.min) - whole) as f32;
         plane.max = (f64::from(plane.max) - whole) as f32;
     }

@@ -113,6 +113,13 @@ impl Emitter {
             x += done;
             len -= done;
         }
+        self.short_run(x, y, len, coverage, sink);
+    }
+
+    /// The same for runs that must come in batches.
+    #[inline]
+    pub fn short_run(&mut self, x: i32, y: i32, len: i32, coverage: f32, sink: &mut impl Sink) {
+        let (mut x, mut len) = (x, len);
         while len > 0 {
             let room = (self.cut - self.batch.tex.n.min(self.cut)) as i32;
             let take = len.min(room);

@@ -1,13 +1,14 @@
 //! What a scene keeps of its primitives, in issue order: each one's shape, its planes, and in side lists what the larger
 //! shapes need. A small triangle is 64 covered-or-not bits in place; everything larger is an index into its list.
 
+use super::group::Group;
 use super::line::Line;
 use super::plane::{Pool, Recipe};
 use super::point::Disc;
 use super::polygon::Edges;
 use super::smooth::Outline;
 use super::state::Rect;
-use crate::fragment::planes::{Linear, Plane, Planes};
+use crate::fragment::planes::{Linear, Planes};
 
 /// Which pixels a primitive covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,6 +70,8 @@ pub struct Geometry {
     pub planes: Vec<Planes>,
     /// The planes of their slots.
     pub pool: Pool,
+    /// Small triangles that are not yet among the primitives.
+    pub(super) group: Box<Group>,
     /// Triangles that are not small.
     pub edges: Vec<Edges>,
     /// Aliased lines.
@@ -89,11 +92,17 @@ pub(super) fn index(len: usize) -> u32 {
 }
 
 impl Geometry {
+    /// Whether nothing has been drawn.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.prims.is_empty() && self.group.count == 0
+    }
+
     /// Forgets all primitives, keeping the memory.
     pub fn clear(&mut self) {
         self.prims.clear();
         self.planes.clear();
-        self.pool.truncate(0);
+        self.pool.clear();
         self.edges.clear();
         self.lines.clear();
         self.discs.clear();
@@ -110,7 +119,7 @@ impl Geometry {
         }
         bytes(&self.prims)
             + bytes(&self.planes)
-            + self.pool.len() * size_of::<Plane>()
+            + self.pool.memory()
             + bytes(&self.edges)
             + bytes(&self.lines)
             + bytes(&self.discs)

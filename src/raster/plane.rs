@@ -4,9 +4,11 @@
 //! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
+use super::group::{Group, MOST_SLOTS};
+use super::group_planes::{Depth, GroupFn, Rules, SET_UP_GROUP};
 use super::weights::{FOUR, Four, FourFn, Weights};
 use crate::batch::Level;
-use crate::fragment::planes::{Layout, Linear, Plane, Planes, UnitSlots};
+use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, PlanePool, Planes, UnitSlots};
 
 /// How a position relative to the origin becomes weights of the corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -53,9 +55,12 @@ impl Basis {
 #[derive(Clone, Debug)]
 pub struct Recipe {
     run: FourFn,
+    run_group: GroupFn,
     layout: Layout,
     flat: bool,
     units: Vec<(u32, UnitSlots)>,
+    rules: Rules,
+    grouped: bool,
 }
 
 /// The values at the corners of a primitive.
@@ -77,6 +82,8 @@ pub struct Values<'a> {
 pub struct Pool {
     planes: Vec<Plane>,
     used: usize,
+    groups: Vec<PlaneGroup>,
+    used_groups: usize,
     /// Where planes are computed before they are put in place.
     four: Four,
 }
@@ -84,8 +91,29 @@ pub struct Pool {
 impl Pool {
     /// All planes; those in use come first.
     #[must_use]
-    pub fn all(&self) -> &[Plane] {
-        &self.planes
+    pub fn all(&self) -> PlanePool<'_> {
+        PlanePool { alone: &self.planes, groups: &self.groups }
+    }
+
+    /// Bytes in use.
+    #[must_use]
+    pub const fn memory(&self) -> usize {
+        self.used * size_of::<Plane>() + self.used_groups * size_of::<PlaneGroup>()
+    }
+
+    /// Lets go of all planes.
+    pub fn clear(&mut self) {
+        (self.used, self.used_groups) = (0, 0);
+    }
+
+    /// Takes groups of planes into use, of whatever contents. Returns the index of the first one with them.
+    pub(super) fn more_groups(&mut self, count: usize) -> (u32, &mut [PlaneGroup]) {
+        let first = self.used_groups;
+        self.used_groups += count;
+        if self.used_groups > self.groups.len() {
+            self.groups.resize((2 * self.groups.len()).max(self.used_groups + 64), PlaneGroup::default());
+        }
+        (first as u32, self.groups.get_mut(first..first + count).unwrap_or(&mut []))
     }
 
     /// How many are in use.
@@ -136,8 +164,10 @@ impl Recipe {
     /// An empty recipe, whose planes are made at a level or the highest that the processor has.
     #[must_use]
     pub fn new(level: Level) -> Self {
-        let run = FOUR.levels[level.at_most_available() as usize];
-        Self { run, layout: Layout::default(), flat: false, units: Vec::new() }
+        let level = level.at_most_available() as usize;
+        let (run, run_group) = (FOUR.levels[level], SET_UP_GROUP.levels[level]);
+        let (layout, rules) = (Layout::default(), Rules::default());
+        Self { run, run_group, layout, flat: false, units: Vec::new(), rules, grouped: false }
     }
 
     /// Takes over what a draw's layout and shade model ask for.
@@ -146,6 +176,42 @@ impl Recipe {
         self.flat = flat;
         self.units.clear();
         self.units.extend((0..).zip(&layout.units).filter_map(|(u, slots)| slots.map(|slots| (u, slots))));
+        self.grouped = layout.count <= MOST_SLOTS && !self.units.iter().any(|(_, unit)| unit.has_q);
+        self.rules.set(layout);
+    }
+
+    /// Which values are interpolated.
+    #[must_use]
+    pub const fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// Whether small triangles can be set up in groups.
+    #[must_use]
+    pub const fn is_grouped(&self) -> bool {
+        self.grouped
+    }
+
+    /// Sets up a group, whose planes go to a place a slot.
+    #[inline]
+    pub(super) fn group(&self, group: &mut Group, depth: Depth, out: &mut [PlaneGroup]) {
+        #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
+        // SAFETY: a recipe is made for no level that the processor does not have.
+        unsafe {
+            (self.run_group)(group, &self.rules, depth, out);
+        }
+    }
+
+    /// Colours that are not simply those of the corners, for flat shading and back faces: slot, slot of the value to be
+    /// taken instead, how many of each.
+    #[inline]
+    pub(super) fn color_slots(&self, back: bool) -> impl Iterator<Item = (usize, usize, usize)> {
+        let back = if back { self.layout.back } else { None };
+        let primary = self.layout.color.map(|slot| (slot, back.unwrap_or(slot), 4));
+        // The back side's primary colour has its place even where only the secondary colour is wanted.
+        let secondary = self.layout.secondary.map(|slot| (slot, back.map_or(slot, |b| b + 4), 3));
+        let any = self.flat || back.is_some();
+        [primary, secondary].into_iter().flatten().filter(move |_| any)
     }
 
     /// Appends the planes of a primitive's slots to the pool and says the rest in `planes` (whose origin and z are the
@@ -220,14 +286,7 @@ impl Recipe {
 
     /// Colours once more where they are not simply those of the corners: flat shading, back faces.
     fn colors(&self, weights: &Weights, values: &Values, four: &mut Four, out: &mut [Plane]) {
-        let back = if values.back { self.layout.back } else { None };
-        if !self.flat && back.is_none() {
-            return;
-        }
-        let primary = self.layout.color.map(|slot| (slot, back.unwrap_or(slot), 4));
-        // The back side's primary colour has its place even where only the secondary colour is wanted.
-        let secondary = self.layout.secondary.map(|slot| (slot, back.map_or(slot, |b| b + 4), 3));
-        for (to, from, n) in [primary, secondary].into_iter().flatten() {
+        for (to, from, n) in self.color_slots(values.back) {
             let corners = if self.flat { [values.provoking; 3] } else { values.corner };
             if let Some(out) = out.get_mut(to..to + n) {
                 self.span(weights, corners, from, four, out);
@@ -359,13 +418,16 @@ pub(super) mod tests {
         let corner = [&values[0][..], &values[1], &values[2]];
         let values = Values { corner, provoking: corner[2], back, w };
         recipe.planes(&basis, &values, &mut of, &mut pool);
-        let planes = pool.all()[..pool.len()].to_vec();
+        let planes = pool.all().alone[..pool.len()].to_vec();
         for level in Level::available() {
             let mut other = Recipe::new(level);
             other.set(layout, flat);
             let (mut of, mut pool) = (Planes::default(), Pool::default());
             other.planes(&basis, &values, &mut of, &mut pool);
-            assert!(pool.all().iter().zip(&planes).all(|(a, b)| format!("{a:?}") == format!("{b:?}")), "{level:?}");
+            assert!(
+                pool.all().alone.iter().zip(&planes).all(|(a, b)| format!("{a:?}") == format!("{b:?}")),
+                "{level:?}"
+            );
         }
         (of, planes)
     }

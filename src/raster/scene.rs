@@ -12,7 +12,7 @@ use super::setup::Triangle;
 use super::{RasterState, VertexRef};
 use crate::batch::{LANES, Level};
 use crate::fragment::batch::{FragmentBatch, Segment as Run};
-use crate::fragment::planes::{Layout, Plane, Planes};
+use crate::fragment::planes::{Layout, PlanePool, Planes};
 use crate::fragment::program::Program;
 use crate::framebuffer::{Band, Framebuffer};
 use std::sync::Arc;
@@ -28,12 +28,19 @@ pub trait Shader: Send + Sync {
     /// Whether nothing can come of drawing: then nothing is set up.
     fn draws_nothing(&self) -> bool;
     /// Works on a batch.
-    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>);
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>);
     /// Runs from this length on may be given to [`row`](Self::row).
     fn row_from(&self) -> u32;
     /// Works on a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels
     /// it has done.
-    fn row(&self, batch: &mut FragmentBatch, run: Run, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32;
+    fn row(
+        &self,
+        batch: &mut FragmentBatch,
+        run: Run,
+        planes: &[Planes],
+        pool: PlanePool<'_>,
+        band: &mut Band<'_>,
+    ) -> u32;
 }
 
 impl<T: Shader> Shader for Arc<T> {
@@ -53,7 +60,7 @@ impl<T: Shader> Shader for Arc<T> {
         (**self).draws_nothing()
     }
 
-    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
         (**self).run(batch, planes, pool, band);
     }
 
@@ -61,7 +68,14 @@ impl<T: Shader> Shader for Arc<T> {
         (**self).row_from()
     }
 
-    fn row(&self, batch: &mut FragmentBatch, run: Run, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32 {
+    fn row(
+        &self,
+        batch: &mut FragmentBatch,
+        run: Run,
+        planes: &[Planes],
+        pool: PlanePool<'_>,
+        band: &mut Band<'_>,
+    ) -> u32 {
         (**self).row(batch, run, planes, pool, band)
     }
 }
@@ -83,7 +97,7 @@ impl Shader for Program {
         self.draws_nothing
     }
 
-    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
         Program::run(self, batch, planes, pool, band);
     }
 
@@ -91,7 +105,14 @@ impl Shader for Program {
         Program::row_from(self)
     }
 
-    fn row(&self, batch: &mut FragmentBatch, run: Run, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32 {
+    fn row(
+        &self,
+        batch: &mut FragmentBatch,
+        run: Run,
+        planes: &[Planes],
+        pool: PlanePool<'_>,
+        band: &mut Band<'_>,
+    ) -> u32 {
         Program::row(self, batch, run, planes, pool, band)
     }
 }
@@ -153,6 +174,7 @@ impl<P: Shader> Scene<P> {
 
     /// Says what the primitives to come are drawn with. Returns the index of the draw.
     pub fn begin_draw(&mut self, draw: Arc<Draw<P>>) -> u32 {
+        self.settle();
         self.recipe.set(draw.program.layout(), draw.raster.flat);
         self.draws.push(draw);
         (self.draws.len() - 1) as u32
@@ -161,7 +183,7 @@ impl<P: Shader> Scene<P> {
     /// Whether nothing waits.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.geometry.prims.is_empty()
+        self.geometry.is_empty()
     }
 
     /// Bytes that the waiting primitives take.
@@ -181,6 +203,13 @@ impl<P: Shader> Scene<P> {
         let draw = self.draws.last().filter(|draw| !draw.program.draws_nothing())?;
         let cx = Context { rs: &draw.raster, recipe: &self.recipe, draw: (self.draws.len() - 1) as u32 };
         Some((cx, &mut self.geometry, &mut self.stipple))
+    }
+
+    /// Files the small triangles that wait.
+    fn settle(&mut self) {
+        if let Some((cx, geometry, _)) = self.split() {
+            geometry.settle(&cx);
+        }
     }
 
     /// Whether triangles are culled, or come to nothing, whose area in the window is positive (counter-clockwise), or is
@@ -208,6 +237,7 @@ impl<P: Shader> Scene<P> {
     /// strip or loop, and at each line of `GL_LINES`.
     pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
         if let Some((cx, geometry, stipple)) = self.split() {
+            geometry.settle(&cx);
             if restart {
                 *stipple = 0;
             }
@@ -219,6 +249,7 @@ impl<P: Shader> Scene<P> {
     /// Draws a point of the vertex's point size.
     pub fn point(&mut self, v: VertexRef<'_>) {
         if let Some((cx, geometry, _)) = self.split() {
+            geometry.settle(&cx);
             geometry.point(&cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 });
         }
     }
@@ -227,6 +258,7 @@ impl<P: Shader> Scene<P> {
     /// in two runs.
     pub fn spans(&mut self, v: VertexRef<'_>, runs: impl Iterator<Item = Span>) {
         if let Some((cx, geometry, _)) = self.split() {
+            geometry.settle(&cx);
             geometry.runs(&cx, v, runs);
         }
     }
@@ -247,7 +279,8 @@ impl<P: Shader> Scene<P> {
     }
 
     fn rasterise(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
-        if self.geometry.prims.is_empty() {
+        self.settle();
+        if self.geometry.is_empty() {
             return 0;
         }
         let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut };

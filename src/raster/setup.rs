@@ -114,9 +114,13 @@ impl Geometry {
         if rs.cull[face] {
             return;
         }
+        if rs.mode[face] == Mode::Fill && !rs.smooth[2] {
+            self.fill(cx, t, p, area, back);
+            return;
+        }
+        self.settle(cx);
         match rs.mode[face] {
-            Mode::Fill if rs.smooth[2] => self.smooth_triangle(cx, t, area, back),
-            Mode::Fill => self.fill(cx, t, p, area, back),
+            Mode::Fill => self.smooth_triangle(cx, t, area, back),
             mode => self.outline(cx, t, area, back, mode, stipple),
         }
     }
@@ -128,11 +132,16 @@ impl Geometry {
         if area == 0 || rect.is_empty() {
             return;
         }
+        let (width, height) = (bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
+        let small = width <= 8 && height <= 8;
+        if small && cx.recipe.is_grouped() && self.wait(cx, t, bounds, clip_mask(cx, bounds, rect), back) {
+            return;
+        }
+        self.settle(cx);
         if area < 0 {
             p.swap(1, 2);
         }
-        let (width, height) = (bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
-        let (cover, pixels) = if width <= 8 && height <= 8 {
+        let (cover, pixels) = if small {
             let bits = Edges::new(&p, bounds).mask() & clip_mask(cx, bounds, rect);
             if bits == 0 {
                 return;

@@ -4,7 +4,7 @@
 use super::vertex::Vertex;
 use super::{Draw, RasterState, Scene, Shader, VertexRef};
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::planes::{Layout, Plane, Planes};
+use crate::fragment::planes::{Layout, Plane, PlanePool, Planes};
 use crate::framebuffer::{Band, Framebuffer, FramebufferFormat};
 use crate::state::State;
 use std::sync::{Arc, Mutex};
@@ -51,7 +51,7 @@ impl Shader for Counter {
         false
     }
 
-    fn run(&self, b: &mut FragmentBatch, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) {
+    fn run(&self, b: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
         let mut seen = self.seen.lock().unwrap();
         let mut offsets = Vec::new();
         let mut lane = 0;
@@ -70,8 +70,8 @@ impl Shader for Counter {
                 assert_eq!(band.offset(at[0] as u32, at[1] as u32), offset, "offset of {at:?}");
                 offsets.push(offset);
                 if self.note {
-                    let slots = &pool[of.first as usize..][..self.layout.count];
-                    let values = slots.iter().map(|p| value(p, of, dx, dy)).collect();
+                    let slots = (0..self.layout.count).filter_map(|slot| pool.plane(of, slot));
+                    let values = slots.map(|p| value(&p, of, dx, dy)).collect();
                     let z = of.z.at + of.z.y * f64::from(dy) + of.z.x * f64::from(dx);
                     seen.push(Seen { at, z, values, coverage: b.coverage[lane + i] });
                 }
@@ -92,7 +92,14 @@ impl Shader for Counter {
     }
 
     /// All but the last few pixels of a run.
-    fn row(&self, b: &mut FragmentBatch, run: Segment, planes: &[Planes], pool: &[Plane], band: &mut Band<'_>) -> u32 {
+    fn row(
+        &self,
+        b: &mut FragmentBatch,
+        run: Segment,
+        planes: &[Planes],
+        pool: PlanePool<'_>,
+        band: &mut Band<'_>,
+    ) -> u32 {
         assert!(run.len >= 20 && run.start == 0 && run.row);
         let mut done = 0;
         while run.len - done >= 3 {

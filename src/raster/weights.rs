@@ -23,7 +23,7 @@ pub(super) struct Weights {
 
 /// The least and the greatest of three.
 #[inline(always)]
-fn range<T: PartialOrd + Copy>([a, b, c]: [T; 3]) -> (T, T) {
+pub(super) fn range<T: PartialOrd + Copy>([a, b, c]: [T; 3]) -> (T, T) {
     let (low, high) = if b < a { (b, a) } else { (a, b) };
     (if c < low { c } else { low }, if c > high { c } else { high })
 }

@@ -3,7 +3,7 @@
 use super::super::batch::{FragmentBatch, Segment};
 use super::super::coordinates::{COORDINATES, DERIVATIVES};
 use super::super::interpolate::FIRST;
-use super::super::planes::{Layout, Linear, Plane, Planes, UnitSlots};
+use super::super::planes::{Layout, Linear, Plane, PlanePool, Planes, UnitSlots};
 use super::super::uniforms::{FragUniforms, Work};
 use super::{Feed, Random, Scene, contents, draw, program};
 use crate::batch::Level;
@@ -104,7 +104,7 @@ fn coordinates(
     }
     let mut f = Framebuffer::new(1, 1, FramebufferFormat::default()).unwrap();
     let mut band = f.band();
-    let mut work = Work { planes: &[planes], pool, band: &mut band };
+    let mut work = Work { planes: &[planes], pool: PlanePool { alone: pool, groups: &[] }, band: &mut band };
     #[expect(unsafe_code, reason = "the level is one that the processor has")]
     // SAFETY: `Level::available` gave it.
     unsafe {

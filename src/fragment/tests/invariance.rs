@@ -159,7 +159,7 @@ fn no_plane_makes_it_panic() {
             let (z, d) = (linear(&mut r), linear(&mut r));
             let (affine, wide) = (r.bool(), r.pick(&[0, u32::MAX]));
             let origin = [r.pick(&[0, i32::MAX, i32::MIN]), r.pick(&[0, i32::MAX, i32::MIN])];
-            scene.planes.push(Planes { origin, z, d, affine, wide, first });
+            scene.planes.push(Planes { origin, z, d, affine, wide, first, member: None });
         }
         for level in Level::available() {
             for general in [false, true] {

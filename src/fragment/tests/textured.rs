@@ -73,6 +73,7 @@ fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool) -> Scene {
         affine,
         wide: if wide { 0b101 } else { 0 },
         first: 0,
+        member: None,
     };
     Scene { planes: vec![planes], pool }
 }

@@ -1,0 +1,224 @@
+//! Small triangles wait for each other until there are as many as a group holds, and are then set up together, a triangle
+//! a lane: their masks, and the planes of all that have a pixel. What waits is filed before anything else is, so that
+//! the order of issue is kept.
+//!
+//! The slots of a corner stand in quads: those of slots 0 to 3, 4 to 7 and so on, and one of the last four slots where
+//! their number is no multiple of 4 (then some are in two quads).
+
+use super::VertexRef;
+use super::geometry::{Context, Cover, Geometry};
+use super::group_planes::{Bases, Depth, Floats, Linears};
+use super::masks::Ints;
+use super::setup::Triangle;
+use super::state::{Mode, Rect};
+use super::vertex::Vertex;
+use crate::fragment::planes::{GROUP, Linear, Planes};
+
+/// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.
+pub(super) const MOST_SLOTS: usize = 40;
+
+/// Triangles on their way to being filed.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Group {
+    /// Slots of each corner.
+    pub quads: [[[[f32; 4]; GROUP]; 3]; MOST_SLOTS / 4],
+    /// Window x, y, z and w of each corner.
+    pub place: [[[f64; 4]; GROUP]; 3],
+    /// Snapped x and y of each corner.
+    pub snapped: [[Ints; 2]; 3],
+    /// The first pixel of each bounding box.
+    pub first: [Ints; 2],
+    /// The pixels of each mask that may be drawn.
+    pub clip: [u64; GROUP],
+    /// The result: covered pixels, before clipping.
+    pub bits: [u64; GROUP],
+    pub area: Ints,
+    pub origin: [Ints; 2],
+    pub z: Linears,
+    pub bases: Bases,
+    pub affine: [bool; GROUP],
+    /// NaN where a triangle must be done alone.
+    pub odd: Floats,
+    /// Width and height of the largest bounding box.
+    pub largest: [u32; 2],
+    /// How many triangles there are.
+    pub count: usize,
+}
+
+impl Default for Group {
+    fn default() -> Self {
+        Self {
+            quads: [[[[0.0; 4]; GROUP]; 3]; MOST_SLOTS / 4],
+            place: [[[0.0; 4]; GROUP]; 3],
+            snapped: [[[0; GROUP]; 2]; 3],
+            first: [[0; GROUP]; 2],
+            clip: [0; GROUP],
+            bits: [0; GROUP],
+            area: [0; GROUP],
+            origin: [[0; GROUP]; 2],
+            z: Linears::default(),
+            bases: Bases::default(),
+            affine: [true; GROUP],
+            odd: [0.0; GROUP],
+            largest: [0; 2],
+            count: 0,
+        }
+    }
+}
+
+/// The quad that holds a slot of so many, and the slot's place in it.
+#[inline(always)]
+pub(super) const fn quad_of(count: usize, slot: usize) -> (usize, usize) {
+    let whole = count / 4;
+    if slot / 4 < whole {
+        (slot / 4, slot % 4)
+    } else if whole == 0 {
+        (0, slot)
+    } else {
+        (whole, slot + 4 - count)
+    }
+}
+
+impl Group {
+    /// Puts the slots of a triangle's corners in place. False where a vertex lacks some.
+    #[inline]
+    fn put_slots(&mut self, v: &[VertexRef<'_>; 3], count: usize) -> bool {
+        let lane = self.count % GROUP;
+        let [Some(a), Some(b), Some(c)] = v.map(|v| v.slots.get(..count)) else { return false };
+        let ((a4, a), (b4, b), (c4, c)) = (a.as_chunks::<4>(), b.as_chunks::<4>(), c.as_chunks::<4>());
+        for (quad, ((qa, qb), qc)) in self.quads.iter_mut().zip(a4.iter().zip(b4).zip(c4)) {
+            (quad[0][lane], quad[1][lane], quad[2][lane]) = (*qa, *qb, *qc);
+        }
+        let whole = count / 4;
+        if let Some(quad) = self.quads.get_mut(whole).filter(|_| count % 4 != 0) {
+            for (corner, (v, rest)) in v.iter().zip([a, b, c]).enumerate() {
+                if let Some(last) = count.checked_sub(4).and_then(|at| v.slots.get(at..)?.first_chunk()) {
+                    quad[corner][lane] = *last;
+                } else {
+                    quad[corner][lane] = [0, 1, 2, 3].map(|k: usize| rest.get(k).copied().unwrap_or(0.0));
+                }
+            }
+        }
+        true
+    }
+
+    /// Puts colours in place that are not simply those of the corners: flat shading, back faces.
+    fn put_colors(&mut self, cx: &Context, t: &Triangle, back: bool) {
+        let lane = self.count % GROUP;
+        let layout = cx.recipe.layout();
+        for (to, from, n) in cx.recipe.color_slots(back) {
+            for k in 0..n {
+                let (quad, column) = quad_of(layout.count, to + k);
+                for (corner, v) in t.v.iter().enumerate() {
+                    let slots = if cx.rs.flat { t.provoking } else { v.slots };
+                    if let (Some(quad), Some(value)) = (self.quads.get_mut(quad), slots.get(from + k)) {
+                        quad[corner][lane][column & 3] = *value;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The slots of a corner, in order.
+    fn slots(&self, lane: usize, corner: usize, count: usize) -> [f32; MOST_SLOTS] {
+        let mut slots = [0.0; MOST_SLOTS];
+        for (k, slot) in slots.iter_mut().enumerate().take(count) {
+            let (quad, column) = quad_of(count, k);
+            *slot = self.quads.get(quad).map_or(0.0, |quad| quad[corner % 3][lane % GROUP][column & 3]);
+        }
+        slots
+    }
+
+    /// The vertex at a corner, as far as planes depend on it.
+    fn vertex(&self, lane: usize, corner: usize) -> Vertex {
+        let [x, y, z, w] = self.place[corner][lane];
+        let snapped = [0, 1].map(|k: usize| self.snapped[corner][k][lane]);
+        Vertex { clip: [0.0, 0.0, 0.0, w], window: [x, y, z], snapped, ..Vertex::default() }
+    }
+}
+
+impl Geometry {
+    /// Lets a triangle wait, whose bounding box is at most 8 by 8 pixels. False, and nothing done, where it must be set up
+    /// alone.
+    #[inline]
+    pub(super) fn wait(&mut self, cx: &Context, t: &Triangle, bounds: Rect, clip: u64, back: bool) -> bool {
+        let group = &mut *self.group;
+        let lane = group.count % GROUP;
+        if !group.put_slots(&t.v, cx.recipe.layout().count) {
+            return false;
+        }
+        if cx.rs.flat || (back && cx.recipe.layout().back.is_some()) {
+            group.put_colors(cx, t, back);
+        }
+        for (corner, v) in t.v.iter().enumerate() {
+            let [x, y, z] = v.head.window;
+            group.place[corner][lane] = [x, y, z, v.head.clip[3]];
+            for k in 0..2 {
+                group.snapped[corner][k][lane] = v.head.snapped[k];
+            }
+        }
+        group.first[0][lane] = bounds.x0;
+        group.first[1][lane] = bounds.y0;
+        group.clip[lane] = clip;
+        let [width, height] = &mut group.largest;
+        *width = (*width).max((bounds.x1 - bounds.x0).unsigned_abs());
+        *height = (*height).max((bounds.y1 - bounds.y0).unsigned_abs());
+        group.count += 1;
+        if group.count == GROUP {
+            self.settle(cx);
+        }
+        true
+    }
+
+    /// Files the triangles that wait.
+    pub(super) fn settle(&mut self, cx: &Context) {
+        if self.group.count > 0 {
+            self.file_group(cx);
+        }
+    }
+
+    fn file_group(&mut self, cx: &Context) {
+        let count = std::mem::take(&mut self.group.count).min(GROUP);
+        let rs = cx.rs;
+        let offset = rs.offset[Mode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
+        let (first, planes) = self.pool.more_groups(cx.recipe.layout().count);
+        cx.recipe.group(&mut self.group, Depth { scale: rs.depth_scale, offset }, planes);
+        self.group.largest = [0; 2];
+        for lane in 0..count {
+            let group = &*self.group;
+            let bits = group.bits[lane] & group.clip[lane];
+            if bits == 0 {
+                continue;
+            }
+            let cover = Cover::Mask { x: group.first[0][lane], y: group.first[1][lane], bits };
+            let planes = if group.odd[lane].is_nan() {
+                self.alone(cx, lane)
+            } else {
+                let of = |l: &Linears| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
+                Planes {
+                    origin: [group.origin[0][lane], group.origin[1][lane]],
+                    z: of(&group.z),
+                    d: of(&group.bases.d),
+                    affine: group.affine[lane],
+                    wide: 0,
+                    first,
+                    member: Some(lane as u8),
+                }
+            };
+            self.file(cover, cx.draw, planes, u64::from(bits.count_ones()));
+        }
+    }
+
+    /// The planes of a waiting triangle that its group does not do for.
+    #[cold]
+    fn alone(&mut self, cx: &Context, lane: usize) -> Planes {
+        let count = cx.recipe.layout().count;
+        let vertex = [0, 1, 2].map(|corner| self.group.vertex(lane, corner));
+        let slots = [0, 1, 2].map(|corner| self.group.slots(lane, corner, count));
+        let v = [0, 1, 2].map(|i: usize| VertexRef { head: &vertex[i], slots: slots[i].get(..count).unwrap_or(&[]) });
+        // Colours have been put in place already: those of the side that is seen, and of the provoking vertex.
+        let t = Triangle { v, provoking: v[2].slots, edges: [true; 3] };
+        self.triangle_planes(cx, &t, i64::from(self.group.area[lane]), false, Mode::Fill)
+    }
+}

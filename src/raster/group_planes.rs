@@ -1,0 +1,332 @@
+//! The planes of a group of small triangles, a triangle a lane (OpenGL 1.5, section 3.5.1): what [`setup`] and [`weights`]
+//! do for one triangle, in the same order of the same operations, so that either gives the same bits. A lane where it
+//! does not end well (values that are no numbers, ranges that may need f64) is marked, and its triangle done alone.
+//!
+//! [`setup`]: super::setup
+//! [`weights`]: super::weights
+
+use super::coordinate::{LIMIT, whole_periods};
+use super::group::{Group, quad_of};
+use super::masks::masks;
+use super::weights::range;
+use crate::batch::stage;
+use crate::fragment::planes::{GROUP, Layout, PlaneGroup};
+
+/// One number for each triangle.
+pub(super) type Floats = [f64; GROUP];
+const ZERO: Floats = [0.0; GROUP];
+
+/// A linear function for each triangle.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Linears {
+    pub at: Floats,
+    pub x: Floats,
+    pub y: Floats,
+}
+
+const LINEARS: Linears = Linears { at: ZERO, x: ZERO, y: ZERO };
+
+/// What interpolation needs of the triangles themselves; see [`Weights`](super::weights::Weights).
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Bases {
+    pub d: Linears,
+    b: [Linears; 2],
+    far: Floats,
+    scale: Floats,
+    reach: [Floats; 2],
+    /// The greatest sum of terms of D; 0 where D is 1.
+    denominator: Floats,
+}
+
+/// What is to be computed of the state.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rules {
+    /// The coordinates that each slot belongs to, if any.
+    pub slots: Vec<Option<Coordinate>>,
+}
+
+/// A slot that is a texture coordinate.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Coordinate {
+    period: u8,
+    texels: f64,
+    cube: bool,
+    last: bool,
+}
+
+impl Rules {
+    /// Takes over a layout, none of whose units has a q.
+    pub(super) fn set(&mut self, layout: &Layout) {
+        self.slots.clear();
+        self.slots.resize(layout.count, None);
+        for unit in layout.units.iter().flatten() {
+            for k in 0..unit.count.min(3) {
+                if let Some(slot) = self.slots.get_mut(unit.base + k) {
+                    let (period, texels) = (unit.period[k], f64::from(unit.size[k]));
+                    *slot = Some(Coordinate { period, texels, cube: unit.cube, last: k + 1 == unit.count });
+                }
+            }
+        }
+    }
+}
+
+/// How depth is made of the window's z.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Depth {
+    pub scale: f64,
+    /// Factor and units of the polygon offset.
+    pub offset: Option<[f64; 2]>,
+}
+
+/// Window x, y, z and w of each corner.
+type Places = [[Floats; 4]; 3];
+
+/// Corner by corner and triangle by triangle into lanes. All four are moved at once: a loop over some of them would be
+/// scalar code.
+#[inline(always)]
+fn lanes<T: Copy>(quads: &[[[T; 4]; GROUP]; 3], out: &mut [[[T; GROUP]; 4]; 3]) {
+    for (quads, [a, b, c, d]) in quads.iter().zip(out) {
+        for i in 0..GROUP {
+            [a[i], b[i], c[i], d[i]] = quads[i];
+        }
+    }
+}
+
+/// Sets up a group: masks, and planes in one place a slot.
+pub(super) type GroupFn = unsafe fn(&mut Group, &Rules, Depth, &mut [PlaneGroup]);
+
+/// Twice the areas in 1/65536 pixel, and the pixels that positions are relative to.
+#[inline(always)]
+fn origins(group: &mut Group, place: &Places) {
+    let Group { snapped: p, first, area, origin, .. } = group;
+    for i in 0..GROUP {
+        let side = |k: usize, c: usize| p[c][k][i] - p[0][k][i];
+        area[i] = side(0, 1) * side(1, 2) - side(0, 2) * side(1, 1);
+    }
+    for i in 0..GROUP {
+        let [a, b, c] = [place[0][3][i], place[1][3][i], place[2][3][i]];
+        let most = if b > a { b } else { a };
+        let most = if c > most { c } else { most };
+        let varies = (most > 2.0 * a) | (most > 2.0 * b) | (most > 2.0 * c);
+        for k in 0..2 {
+            // The mean of the three, a third at a time in whole pixels: it is between -1 and 9 from the box.
+            let from = first[k][i];
+            let sum = (p[0][k][i] + p[1][k][i] + p[2][k][i]) - 768 * from + 768;
+            let mean = from - 1 + (((sum >> 8) * 43691) >> 17);
+            let far = if c == most { p[2][k][i] } else { p[0][k][i] };
+            let far = if b == most { p[1][k][i] } else { far };
+            let far = if a == most { p[0][k][i] } else { far };
+            origin[k][i] = if varies { far >> 8 } else { mean };
+        }
+    }
+}
+
+/// The depth planes, from snapped positions.
+#[inline(always)]
+fn depths(group: &mut Group, place: &Places, depth: Depth, odd: &mut Floats) {
+    let Group { snapped: p, origin, area, z, .. } = group;
+    for i in 0..GROUP {
+        let det = f64::from(area[i]) * (1.0 / 65536.0);
+        let [z0, z1, z2] = [place[0][2][i], place[1][2][i], place[2][2][i]].map(|z| z * depth.scale);
+        let edge = |c: usize, k: usize| f64::from(p[c][k][i] - p[0][k][i]) * (1.0 / 256.0);
+        let (dz1, dz2, inv) = (z1 - z0, z2 - z0, 1.0 / det);
+        let x = (dz1 * edge(2, 1) - dz2 * edge(1, 1)) * inv;
+        let y = (dz2 * edge(1, 0) - dz1 * edge(2, 0)) * inv;
+        let from = |k: usize| f64::from(p[0][k][i] - (origin[k][i] << 8) - 128) * (1.0 / 256.0);
+        let at = z0 - (from(0) * x + from(1) * y);
+        (z.at[i], z.x[i], z.y[i]) = (at, x, y);
+        odd[i] = (at + x + y) * 0.0;
+    }
+    if let Some([factor, units]) = depth.offset {
+        for i in 0..GROUP {
+            let slope = z.x[i].abs().max(z.y[i].abs());
+            let steep = if factor == 0.0 { 0.0 } else { slope * factor };
+            let offset = (steep + units).max(-2.0 * depth.scale).min(2.0 * depth.scale);
+            z.at[i] += offset;
+        }
+    }
+}
+
+/// The weights of the corners, from the unsnapped positions where their area is about that of the snapped ones.
+#[inline(always)]
+fn bases(group: &mut Group, place: &Places, odd: &mut Floats) {
+    let Group { snapped: p, origin, area, bases, affine, .. } = group;
+    for i in 0..GROUP {
+        let snapped_det = f64::from(area[i]) * (1.0 / 65536.0);
+        let from = [0, 1].map(|k: usize| f64::from(origin[k][i]) + 0.5);
+        let exact = |c: usize, k: usize| place[c][k][i] - from[k];
+        let grid = |c: usize, k: usize| f64::from(p[c][k][i] - (origin[k][i] << 8) - 128) * (1.0 / 256.0);
+        let det = (exact(1, 0) - exact(0, 0)) * (exact(2, 1) - exact(0, 1))
+            - (exact(2, 0) - exact(0, 0)) * (exact(1, 1) - exact(0, 1));
+        let ratio = det * snapped_det;
+        let square = snapped_det * snapped_det;
+        let alike = (ratio > 0.5 * square) & (ratio < 2.0 * square);
+        let at = |c: usize, k: usize| if alike { exact(c, k) } else { grid(c, k) };
+        let [[x0, y0], [x1, y1], [x2, y2]] = [[at(0, 0), at(0, 1)], [at(1, 0), at(1, 1)], [at(2, 0), at(2, 1)]];
+        let inv = 1.0 / if alike { det } else { snapped_det };
+        let (ax, ay) = ((y2 - y0) * inv, (x0 - x2) * inv);
+        let (bx, by) = ((y0 - y1) * inv, (x1 - x0) * inv);
+        let [b1, b2] = &mut bases.b;
+        (b1.at[i], b1.x[i], b1.y[i]) = (-(x0 * ax + y0 * ay), ax, ay);
+        (b2.at[i], b2.x[i], b2.y[i]) = (-(x0 * bx + y0 * by), bx, by);
+        bases.reach[0][i] = range([x0.abs(), x1.abs(), x2.abs()]).1;
+        bases.reach[1][i] = range([y0.abs(), y1.abs(), y2.abs()]).1;
+    }
+    let mut most = false;
+    for i in 0..GROUP {
+        let w = [place[0][3][i], place[1][3][i], place[2][3][i]];
+        let same = (w[0] == w[1]) & (w[1] == w[2]);
+        let usual = (range(w).0 > 0.0) & (w[0] + w[1] + w[2] < f64::INFINITY);
+        affine[i] = same | !usual;
+        most |= !affine[i];
+    }
+    bases.d = Linears { at: [1.0; GROUP], ..LINEARS };
+    (bases.far, bases.scale, bases.denominator) = ([1.0; GROUP], [1.0; GROUP], ZERO);
+    if most {
+        denominators(place, affine, bases, odd);
+    }
+}
+
+/// D, and the weights that belong to it, where w varies.
+#[inline(always)]
+fn denominators(place: &Places, affine: &[bool; GROUP], bases: &mut Bases, odd: &mut Floats) {
+    let Bases { d, b: [b1, b2], far, scale, reach, denominator } = bases;
+    for i in 0..GROUP {
+        let w = [place[0][3][i], place[1][3][i], place[2][3][i]];
+        let least = range(w).0;
+        let one = affine[i];
+        let r = [least / w[0], least / w[1], least / w[2]];
+        let (g1, g2) = (r[1] - r[0], r[2] - r[0]);
+        let at = r[0] + (g1 * b1.at[i] + g2 * b2.at[i]);
+        let x = g1 * b1.x[i] + g2 * b2.x[i];
+        let y = g1 * b1.y[i] + g2 * b2.y[i];
+        let (at, x, y) = (if one { 1.0 } else { at }, if one { 0.0 } else { x }, if one { 0.0 } else { y });
+        let least_r = if one { 1.0 } else { range(r).0 };
+        let good = (at >= 0.5 * least_r) & (at <= 2.0);
+        far[i] = least_r;
+        scale[i] = if good { 1.0 / at } else { 0.0 };
+        (d.at[i], d.x[i], d.y[i]) = (at, x, y);
+        let (r1, r2) = (if one { 1.0 } else { r[1] }, if one { 1.0 } else { r[2] });
+        (b1.at[i], b1.x[i], b1.y[i]) = (r1 * b1.at[i], r1 * b1.x[i], r1 * b1.y[i]);
+        (b2.at[i], b2.x[i], b2.y[i]) = (r2 * b2.at[i], r2 * b2.x[i], r2 * b2.y[i]);
+        let bound = at.abs() + x.abs() * reach[0][i] + y.abs() * reach[1][i];
+        denominator[i] = if one { 0.0 } else { bound };
+        odd[i] = if bound > 2048.0 * least_r { f64::NAN } else { odd[i] };
+    }
+}
+
+/// A slot's numerators before they are rounded.
+struct Numerators {
+    at: Floats,
+    x: Floats,
+    y: Floats,
+}
+
+/// The planes of one slot.
+#[inline(always)]
+fn slot(bases: &Bases, f: &[[[f32; GROUP]; 4]; 3], k: usize, odd: &mut Floats, out: &mut PlaneGroup) -> Numerators {
+    let Bases { d, b: [b1, b2], scale, .. } = bases;
+    let mut n = Numerators { at: ZERO, x: ZERO, y: ZERO };
+    let [f0, f1, f2] = [&f[0][k & 3], &f[1][k & 3], &f[2][k & 3]];
+    for i in 0..GROUP {
+        let [f0, f1, f2] = [f0[i], f1[i], f2[i]];
+        let base = f64::from(f0);
+        let (g1, g2) = (f64::from(f1) - base, f64::from(f2) - base);
+        let at = g1 * b1.at[i] + g2 * b2.at[i];
+        let x = g1 * b1.x[i] + g2 * b2.x[i];
+        let y = g1 * b1.y[i] + g2 * b2.y[i];
+        let (min, max) = range([f0, f1, f2]);
+        let here = (f64::from(f0) + at * scale[i]) as f32;
+        let here = if here < min { min } else { here };
+        let c = if here > max { max } else { here };
+        let delta = f64::from(c) - f64::from(f0);
+        let (at, x, y) = (at - delta * d.at[i], x - delta * d.x[i], y - delta * d.y[i]);
+        odd[i] += (at + x + y) * 0.0;
+        (out.c[i], out.min[i], out.max[i]) = (c, min, max);
+        (out.n0[i], out.nx[i], out.ny[i]) = (at as f32, x as f32, y as f32);
+        (n.at[i], n.x[i], n.y[i]) = (at, x, y);
+    }
+    n
+}
+
+/// How large the terms of a unit's coordinates become, against how large they may.
+struct Terms {
+    error: Floats,
+    greatest: Floats,
+}
+
+impl Terms {
+    const NONE: Self = Self { error: ZERO, greatest: ZERO };
+
+    /// Takes in a coordinate, whose periods are still on.
+    #[inline(always)]
+    fn coordinate(&mut self, bases: &Bases, of: &Coordinate, n: &Numerators, planes: &PlaneGroup) {
+        for i in 0..GROUP {
+            let spread = f64::from(planes.max[i]) - f64::from(planes.min[i]);
+            let bound = n.at[i].abs() + n.x[i].abs() * bases.reach[0][i] + n.y[i].abs() * bases.reach[1][i];
+            let terms = (bound + bases.denominator[i] * spread) * of.texels;
+            self.error[i] = if terms > self.error[i] { terms } else { self.error[i] };
+        }
+        for i in 0..GROUP {
+            let (low, high) = (f64::from(planes.min[i]).abs(), f64::from(planes.max[i]).abs());
+            let high = if high > low { high } else { low };
+            let greatest = if high > self.greatest[i] { high } else { self.greatest[i] };
+            self.greatest[i] = if of.cube { greatest } else { 1.0 };
+        }
+    }
+
+    /// After the last coordinate of a unit: marks the triangles that may need f64.
+    #[inline(always)]
+    fn finish(&mut self, bases: &Bases, odd: &mut Floats) {
+        for i in 0..GROUP {
+            let narrow = self.error[i] <= LIMIT * bases.far[i] * self.greatest[i];
+            odd[i] = if narrow { odd[i] } else { f64::NAN };
+        }
+        *self = Self::NONE;
+    }
+}
+
+/// Takes whole periods off.
+#[inline(always)]
+fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
+    if period == 0 {
+        return;
+    }
+    for i in 0..GROUP {
+        let whole = whole_periods(f64::from(planes.c[i]), period);
+        planes.c[i] = (f64::from(planes.c[i]) - whole) as f32;
+        planes.min[i] = (f64::from(planes.min[i]) - whole) as f32;
+        planes.max[i] = (f64::from(planes.max[i]) - whole) as f32;
+    }
+}
+
+stage! {
+    /// Masks and planes of a group.
+    pub(super) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, depth: Depth, out: &mut [PlaneGroup]) {
+        let (mut place, mut odd) = ([[ZERO; 4]; 3], ZERO);
+        lanes(&group.place, &mut place);
+        origins(group, &place);
+        masks(&group.snapped, &group.area, &group.first, group.largest, &mut group.bits);
+        depths(group, &place, depth, &mut odd);
+        bases(group, &place, &mut odd);
+        let count = rules.slots.len();
+        let (mut terms, mut held) = (Terms::NONE, usize::MAX);
+        let mut f = [[[0.0; GROUP]; 4]; 3];
+        for (k, (rule, planes)) in rules.slots.iter().zip(out).enumerate() {
+            let (quad, column) = quad_of(count, k);
+            if quad != held && let Some(quads) = group.quads.get(quad) {
+                lanes(quads, &mut f);
+                held = quad;
+            }
+            let numerators = slot(&group.bases, &f, column, &mut odd, planes);
+            if let Some(of) = rule {
+                terms.coordinate(&group.bases, of, &numerators, planes);
+                if of.last {
+                    terms.finish(&group.bases, &mut odd);
+                }
+                take_periods_off(planes, of.period);
+            }
+        }
+        group.odd = odd;
+    }
+}
