@@ -193,8 +193,14 @@ impl Scene {
     /// Rasterises one triangle of the clipped polygon.
     fn part(&self, index: usize, corners: [&Corner; 3], picture: &mut Picture) {
         let triangle = Triangle(corners.map(|c| self.viewport.window(c.clip)));
-        for y in 0..self.height {
-            for x in 0..self.width {
+        // Where a triangle ends more than a pixel away it puts nothing in doubt.
+        let near = |k: usize, size: u32| {
+            let v = triangle.0.map(|v| if k == 0 { v.x } else { v.y });
+            let (low, high) = (v[0].min(v[1]).min(v[2]) - 2.0, v[0].max(v[1]).max(v[2]) + 2.0);
+            (low.max(0.0) as u32).min(size)..(high.max(0.0) as u32).min(size)
+        };
+        for y in near(1, self.height) {
+            for x in near(0, self.width) {
                 let d = triangle.edge_distance(f64::from(x) + 0.5, f64::from(y) + 0.5).abs();
                 let p = &mut picture.pixels[(y * self.width + x) as usize];
                 p.nearest_edge = p.nearest_edge.min(d);

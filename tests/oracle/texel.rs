@@ -3,7 +3,7 @@
 //! [f64; 4], already expanded to RGBA (a depth texel stands in the first component), so a texel is what it reads.
 
 use super::lod::{Footprint, Levels, LodState, lambda, levels};
-use super::{V3, V4, add, mix, scale};
+use super::{V3, V4, add, length, mix, scale};
 use fixedgl::enums::*;
 
 /// One level of one face. `texels` holds the border, too: texel (i, j, k), from -border to size + border - 1 each.
@@ -112,6 +112,8 @@ pub struct Sampled {
     pub levels: Levels,
     /// How far (in texels of the levels that were read) a coordinate is from a place where the texel of NEAREST changes.
     pub to_boundary: f64,
+    /// Pmax / Pmin of the footprint: where that is a whole number, the number of taps hangs on the last digit.
+    pub anisotropy: f64,
 }
 
 /// One coordinate after its wrap mode, in texels of a level of `n` texels; `s` has been multiplied by nothing yet.
@@ -280,7 +282,8 @@ impl Texture {
                 (mix(one(d1, filter), one(d2, filter), t), d)
             }
         };
-        Sampled { color, lambda, levels: read, to_boundary }
+        let [longer, shorter] = [f64::max, f64::min].map(|pick| pick(length(&footprint.by_x), length(&footprint.by_y)));
+        Sampled { color, lambda, levels: read, to_boundary, anisotropy: longer / shorter }
     }
 }
 
