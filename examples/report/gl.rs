@@ -4,7 +4,7 @@
 
 use fixedgl::Context;
 use fixedgl::batch::Level;
-use fixedgl::context::Config;
+use fixedgl::context::{Config, Element};
 use fixedgl::enums::*;
 use fixedgl::framebuffer::FramebufferFormat;
 
@@ -117,13 +117,12 @@ impl Library for Ours {
     }
 }
 
-/// A picture of a context read as one format and type.
-fn read<T: Clone + bytemuck::Pod>(cx: &mut Context, format: u32, type_: u32, zero: T) -> Vec<T> {
+/// The numbers of a picture of a context, `channels` for each pixel.
+fn read<T: Element + Default>(cx: &mut Context, format: u32, type_: u32, channels: usize) -> Vec<T> {
     let (width, height) = cx.size();
-    let mut pixels = vec![zero; (width * height) as usize];
-    let bytes: &mut [u8] = bytemuck::cast_slice_mut(&mut pixels);
-    cx.read_pixels(0, 0, width as i32, height as i32, format, type_, bytes);
-    pixels
+    let mut numbers = vec![T::default(); width as usize * height as usize * channels];
+    cx.read_pixels(0, 0, width as i32, height as i32, format, type_, &mut numbers);
+    numbers
 }
 
 macro_rules! make_ours {
@@ -155,13 +154,13 @@ macro_rules! make_ours {
                 self.get_error()
             }
             fn bytes(&mut self) -> Vec<[u8; 4]> {
-                read(self, GL_RGBA, GL_UNSIGNED_BYTE, [0; 4])
+                read(self, GL_RGBA, GL_UNSIGNED_BYTE, 4).as_chunks().0.to_vec()
             }
             fn floats(&mut self) -> Vec<[f32; 4]> {
-                read(self, GL_RGBA, GL_FLOAT, [0.0; 4])
+                read(self, GL_RGBA, GL_FLOAT, 4).as_chunks().0.to_vec()
             }
             fn depths(&mut self) -> Vec<u32> {
-                read(self, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 0)
+                read(self, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 1)
             }
         }
     };

@@ -6,9 +6,10 @@
 #![expect(unsafe_code, reason = "functions of a shared library are called through pointers")]
 
 use super::gl::{Gl, Library, commands};
+use fixedgl::context::Element;
 use fixedgl::enums::*;
 use std::ffi::{c_int, c_void};
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 use std::rc::Rc;
 
 type OsMesaContext = *mut c_void;
@@ -96,13 +97,13 @@ macro_rules! make_functions {
                 unsafe { (self.functions.get_error)() }
             }
             fn bytes(&mut self) -> Vec<[u8; 4]> {
-                self.read(GL_RGBA, GL_UNSIGNED_BYTE, [0; 4])
+                self.read(GL_RGBA, GL_UNSIGNED_BYTE, 4).as_chunks().0.to_vec()
             }
             fn floats(&mut self) -> Vec<[f32; 4]> {
-                self.read(GL_RGBA, GL_FLOAT, [0.0; 4])
+                self.read(GL_RGBA, GL_FLOAT, 4).as_chunks().0.to_vec()
             }
             fn depths(&mut self) -> Vec<u32> {
-                self.read(GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 0)
+                self.read(GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 1)
             }
         }
     };
@@ -169,13 +170,15 @@ impl PeerContext {
         unsafe { (self.functions.make_current)(self.context, memory, type_, width, height) != 0 }
     }
 
-    fn read<T: Clone + bytemuck::Pod>(&mut self, format: u32, type_: u32, zero: T) -> Vec<T> {
+    /// The numbers of the picture, `channels` for each pixel.
+    fn read<T: Element + Default>(&mut self, format: u32, type_: u32, channels: usize) -> Vec<T> {
         let [width, height] = self.size;
-        let mut pixels = vec![zero; (width * height) as usize];
-        let place = pixels.as_mut_ptr().cast();
-        // SAFETY: each caller's T is one pixel of its format and type, and there are width * height of them.
+        let mut numbers = vec![T::default(); (width * height) as usize * channels];
+        let place = numbers.as_mut_ptr().cast();
+        // SAFETY: each caller's T is a channel of its type, its format has that many, and there are width * height pixels;
+        // an `Element` is a plain number, for which every pattern of bits will do.
         unsafe { (self.functions.read_pixels)(0, 0, width as i32, height as i32, format, type_, place) };
-        pixels
+        numbers
     }
 }
 
@@ -186,6 +189,5 @@ impl Drop for PeerContext {
             (self.functions.make_current)(null_mut(), null_mut(), 0, 0, 0);
             (self.functions.destroy)(self.context);
         }
-        debug_assert!(!std::ptr::eq(self.context, null()), "a context is never null");
     }
 }
