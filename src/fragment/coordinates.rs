@@ -11,10 +11,13 @@
 use super::batch::{FragmentBatch, Segment};
 use super::interpolate::{FIRST, group, reciprocal64, reciprocals};
 use super::planes::{GROUP, Linear, Plane, PlaneGroup, Planes, UnitSlots};
-use super::segments::{CHUNK, Chunk, IOTA, Piece, linear, linear64, pieces, positions, put, row_origin, single_row};
+use super::segments::{
+    CHUNK, Chunk, Piece, Positions, Row, Rows, linear, linear64, one_primitive, pieces, positions, put, single_row,
+};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
-use crate::num::clamp_f32;
+use crate::num::{clamp_f32, max_f32};
+use crate::texture::batch::{Lanes, TexBatch};
 
 /// Bits of the number of [`COORDINATES`]: [`FIRST`], this one for derivatives, the unit from bit 2 on.
 pub(super) const DERIVATIVES: u32 = 2;
@@ -65,73 +68,104 @@ fn unit<'a, const K: usize>(w: &Work<'a, '_>, segment: &Segment, slots: &UnitSlo
     Some(Unit { planes, coords, divisor, has_q, wide })
 }
 
-/// A row of one primitive that fills the batch, all in `f32`.
+/// 1 / D, or 1 / Q where the unit has a q. 1 / D is kept for the stages that follow, or taken from the one before.
 #[inline(always)]
-fn row<const K: usize>(b: &mut FragmentBatch, unit: &Unit<'_, K>, first: bool, derivatives: bool) {
-    let (x0, y) = row_origin(&b.segments[0], unit.planes);
-    let (x0, y) = (x0 as f32, y as f32);
+fn divisors<const K: usize>(rw: &mut Lanes, unit: &Unit<'_, K>, places: &impl Positions, first: bool) -> Lanes {
     let d = &unit.divisor;
-    let (d_at, d_x, d_y) = (d.at as f32 + d.y as f32 * y, d.x as f32, d.y as f32);
-    let one = unit.planes.affine && !unit.has_q;
+    let (d_at, d_x, d_y) = (d.at as f32, d.x as f32, d.y as f32);
+    if !unit.has_q && !first {
+        return *rw;
+    }
     let mut rq = [1.0; LANES];
-    if unit.has_q || (first && !one) {
+    if unit.has_q || !unit.planes.affine {
         for i in 0..LANES {
-            rq[i] = 1.0 / (d_at + d_x * (x0 + IOTA[i]));
+            rq[i] = 1.0 / ((d_at + d_y * places.y(i)) + d_x * places.x(i));
         }
-    } else if !one {
-        rq = b.rw;
     }
-    if first && !unit.has_q {
-        b.rw = rq;
+    if !unit.has_q {
+        *rw = rq;
     }
+    rq
+}
+
+/// Lanes of one primitive that fill the batch, all in `f32`.
+#[inline(always)]
+fn lanes<const K: usize>(
+    b: &mut FragmentBatch,
+    unit: &Unit<'_, K>,
+    places: &impl Positions,
+    first: bool,
+    derivatives: bool,
+) {
+    let one = unit.planes.affine && !unit.has_q;
+    let (d_x, d_y) = (unit.divisor.x as f32, unit.divisor.y as f32);
+    let rq = if one && !first { [1.0; LANES] } else { divisors(&mut b.rw, unit, places, first) };
     for k in 0..K {
         let p = &unit.coords[k];
         let (c, min, max) = (p.c, p.min, p.max);
-        let (at, x, y) = (p.n0 as f32 + p.ny as f32 * y, p.nx as f32, p.ny as f32);
+        let (at, x, y) = (p.n0 as f32, p.nx as f32, p.ny as f32);
+        let n = |i: usize| (at + y * places.y(i)) + x * places.x(i);
+        b.tex.limit[k] = max_f32(max.abs(), min.abs());
         let out = &mut b.tex.coord[k];
+        let (ddx, ddy) = (&mut b.tex.ddx[k], &mut b.tex.ddy[k]);
         if one {
             for i in 0..LANES {
-                out[i] = finite(clamp_f32(c + (at + x * (x0 + IOTA[i])), min, max));
+                out[i] = clamp_f32(c + n(i), min, max);
+            }
+        } else if !derivatives {
+            for i in 0..LANES {
+                out[i] = clamp_f32(c + n(i) * rq[i], min, max);
             }
         } else {
             for i in 0..LANES {
-                out[i] = finite(clamp_f32(c + (at + x * (x0 + IOTA[i])) * rq[i], min, max));
-            }
-        }
-        if derivatives {
-            let (ddx, ddy) = (&mut b.tex.ddx[k], &mut b.tex.ddy[k]);
-            if one && d_x == 0.0 && d_y == 0.0 {
-                // (N_x - t 0) 1 is N_x.
-                *ddx = [x; LANES];
-                *ddy = [y; LANES];
-                continue;
-            }
-            for i in 0..LANES {
-                let t = (at + x * (x0 + IOTA[i])) * rq[i];
+                let t = n(i) * rq[i];
+                out[i] = clamp_f32(c + t, min, max);
                 ddx[i] = (x - t * d_x) * rq[i];
                 ddy[i] = (y - t * d_y) * rq[i];
             }
         }
+        if one && derivatives {
+            if d_x == 0.0 && d_y == 0.0 {
+                // (N_x - t 0) 1 is N_x.
+                *ddx = [x; LANES];
+                *ddy = [y; LANES];
+            } else {
+                for i in 0..LANES {
+                    ddx[i] = x - n(i) * d_x;
+                    ddy[i] = y - n(i) * d_y;
+                }
+            }
+        }
+        all_finite(out, min, max);
     }
 }
 
-/// A row of one primitive that fills the batch, in `f64`: [`wide`] for all lanes at once.
+/// [`finite`] for all lanes. Between finite limits it has nothing to do.
 #[inline(always)]
-fn wide_row<const K: usize>(
+fn all_finite(out: &mut Lanes, min: f32, max: f32) {
+    if !(min.is_finite() && max.is_finite()) {
+        for v in out {
+            *v = finite(*v);
+        }
+    }
+}
+
+/// Lanes of one primitive that fill the batch, in `f64`: [`wide`] for all lanes at once.
+#[inline(always)]
+fn wide_lanes<const K: usize>(
     b: &mut FragmentBatch,
     unit: &Unit<'_, K>,
+    places: &impl Positions,
     slots: &UnitSlots,
     first: bool,
     derivatives: bool,
 ) {
-    let (x0, y) = row_origin(&b.segments[0], unit.planes);
     // As in the pieces of a segment, positions are whole numbers that went through `f32`.
-    let (x0, y) = (x0 as f32, f64::from(y as f32));
+    let (px, py) = (|i: usize| f64::from(places.x(i)), |i: usize| f64::from(places.y(i)));
     let d = &unit.divisor;
-    let d_at = d.at + d.y * y;
     let mut rq = [0.0; LANES];
     for i in 0..LANES {
-        rq[i] = reciprocal64(d_at + d.x * f64::from(x0 + IOTA[i]));
+        rq[i] = reciprocal64((d.at + d.y * py(i)) + d.x * px(i));
     }
     if first && !unit.has_q {
         // What colours are multiplied with is f64 only where the whole primitive is wide.
@@ -140,31 +174,68 @@ fn wide_row<const K: usize>(
                 b.rw[i] = rq[i] as f32;
             }
         } else {
-            let (d_at, d_x) = (d.at as f32 + d.y as f32 * y as f32, d.x as f32);
-            for i in 0..LANES {
-                b.rw[i] = 1.0 / (d_at + d_x * (x0 + IOTA[i]));
-            }
+            divisors(&mut b.rw, unit, places, true);
         }
     }
     for k in 0..K {
         let p = &unit.coords[k];
-        let at = p.n0 + p.ny * y;
         let (c, min, max) = (f64::from(p.c), f64::from(p.min), f64::from(p.max));
+        let TexBatch { coord, ddx, ddy, limit, .. } = &mut b.tex;
+        let (out, ddx, ddy) = (&mut coord[k], &mut ddx[k], &mut ddy[k]);
+        let of = Wide { n0: p.n0, nx: p.nx, ny: p.ny, c, min, max, d_x: d.x, d_y: d.y };
         let period = f64::from(slots.period[k]);
-        let inverse = if period > 0.0 { 1.0 / period } else { 0.0 };
-        let out = &mut b.tex.coord[k];
-        for i in 0..LANES {
-            let v = c + (at + p.nx * f64::from(x0 + IOTA[i])) * rq[i];
-            let v = if v > min { v } else { min };
-            let v = if v < max { v } else { max };
-            out[i] = finite(without_periods(v, period, inverse) as f32);
+        // Half a period is left, and what rounding adds, of numbers that have a fraction.
+        let greatest = max_f32(p.max.abs(), p.min.abs());
+        limit[k] = if slots.period[k] != 0 && greatest < 1e9 { 2.0 } else { greatest };
+        match slots.period[k] {
+            0 => of.lanes([out, ddx, ddy], &rq, places, derivatives, |v| v),
+            1 => of.lanes([out, ddx, ddy], &rq, places, derivatives, |v| without_periods(v, 1.0, 1.0)),
+            _ => of.lanes([out, ddx, ddy], &rq, places, derivatives, |v| without_periods(v, period, 1.0 / period)),
         }
+        all_finite(out, p.min, p.max);
+    }
+}
+
+/// What [`wide_lanes`] reads for one coordinate.
+struct Wide {
+    n0: f64,
+    nx: f64,
+    ny: f64,
+    c: f64,
+    min: f64,
+    max: f64,
+    d_x: f64,
+    d_y: f64,
+}
+
+impl Wide {
+    /// The coordinate, and its derivatives where they are asked for.
+    #[inline(always)]
+    fn lanes(
+        &self,
+        [out, ddx, ddy]: [&mut Lanes; 3],
+        rq: &[f64; LANES],
+        places: &impl Positions,
+        derivatives: bool,
+        near: impl Fn(f64) -> f64,
+    ) {
+        let Self { n0, nx, ny, c, min, max, d_x, d_y } = *self;
+        let t = |i: usize| ((n0 + ny * f64::from(places.y(i))) + nx * f64::from(places.x(i))) * rq[i];
+        let limited = |t: f64| {
+            let v = c + t;
+            let v = if v > min { v } else { min };
+            near(if v < max { v } else { max }) as f32
+        };
         if derivatives {
-            let (ddx, ddy) = (&mut b.tex.ddx[k], &mut b.tex.ddy[k]);
             for i in 0..LANES {
-                let t = (at + p.nx * f64::from(x0 + IOTA[i])) * rq[i];
-                ddx[i] = ((p.nx - t * d.x) * rq[i]) as f32;
-                ddy[i] = ((p.ny - t * d.y) * rq[i]) as f32;
+                let t = t(i);
+                out[i] = limited(t);
+                ddx[i] = ((nx - t * d_x) * rq[i]) as f32;
+                ddy[i] = ((ny - t * d_y) * rq[i]) as f32;
+            }
+        } else {
+            for i in 0..LANES {
+                out[i] = limited(t(i));
             }
         }
     }
@@ -295,20 +366,39 @@ fn wide<const K: usize>(
     }
 }
 
+/// All lanes of a batch of one primitive.
+#[inline(always)]
+fn whole<const K: usize>(
+    b: &mut FragmentBatch,
+    unit: &Unit<'_, K>,
+    places: &impl Positions,
+    slots: &UnitSlots,
+    first: bool,
+    derivatives: bool,
+) {
+    if unit.wide {
+        wide_lanes(b, unit, places, slots, first, derivatives);
+    } else {
+        lanes(b, unit, places, first, derivatives);
+    }
+}
+
 /// All segments of a batch for a unit of K coordinates.
 #[inline(always)]
 fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &UnitSlots, arg: u32) {
     let (index, first, derivatives) = (arg >> 2, arg & FIRST != 0, arg & DERIVATIVES != 0);
-    if single_row(b)
-        && let Some(unit) = unit::<K>(w, &b.segments[0], slots, index)
+    if let Some(segment) = one_primitive(b)
+        && let Some(unit) = unit::<K>(w, &segment, slots, index)
     {
-        if unit.wide {
-            wide_row(b, &unit, slots, first, derivatives);
+        if single_row(b) {
+            whole(b, &unit, &Row::new(&segment, unit.planes), slots, first, derivatives);
         } else {
-            row(b, &unit, first, derivatives);
+            let rows = Rows::new(b, unit.planes);
+            whole(b, &unit, &rows, slots, first, derivatives);
         }
         return;
     }
+    b.tex.limit = [f32::INFINITY; 3];
     for s in 0..b.segment_count.min(LANES) {
         let segment = b.segments[s];
         if let Some(planes) = w.planes.get(segment.prim as usize)

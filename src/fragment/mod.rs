@@ -20,6 +20,7 @@ pub mod program;
 mod segments;
 pub mod stencil;
 mod tally;
+mod texel;
 pub mod uniforms;
 pub mod words;
 

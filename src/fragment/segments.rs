@@ -152,6 +152,83 @@ pub(super) fn single_row(b: &FragmentBatch) -> bool {
     b.segment_count == 1 && b.segments[0].row && b.segments[0].start == 0
 }
 
+/// A segment of the primitive that all lanes belong to, if it is one: then stages may compute the batch as a whole.
+#[inline(always)]
+pub(super) fn one_primitive(b: &FragmentBatch) -> Option<Segment> {
+    let segments = b.segments.get(..b.segment_count)?;
+    let first = segments.first()?;
+    segments.iter().all(|s| s.prim == first.prim).then_some(*first)
+}
+
+/// Pixel positions of all lanes relative to the origin of their one primitive.
+pub(super) trait Positions {
+    /// x of a lane.
+    fn x(&self, lane: usize) -> f32;
+    /// y of a lane.
+    fn y(&self, lane: usize) -> f32;
+}
+
+/// Positions of a row.
+pub(super) struct Row {
+    x: f32,
+    y: f32,
+}
+
+impl Row {
+    /// Those of a row segment that begins at lane 0.
+    #[inline(always)]
+    pub(super) fn new(segment: &Segment, planes: &Planes) -> Self {
+        let (x, y) = row_origin(segment, planes);
+        Self { x: x as f32, y: y as f32 }
+    }
+}
+
+impl Positions for Row {
+    #[inline(always)]
+    fn x(&self, lane: usize) -> f32 {
+        self.x + IOTA[lane]
+    }
+
+    #[inline(always)]
+    fn y(&self, _lane: usize) -> f32 {
+        self.y
+    }
+}
+
+/// Positions of several rows or of single pixels.
+pub(super) struct Rows {
+    x: Lanes,
+    y: Lanes,
+}
+
+impl Rows {
+    /// Those of all lanes of a batch.
+    #[inline(always)]
+    pub(super) fn new(b: &FragmentBatch, planes: &Planes) -> Self {
+        let mut rows = Self { x: [0.0; LANES], y: [0.0; LANES] };
+        for segment in b.segments.get(..b.segment_count).unwrap_or(&[]) {
+            for piece in pieces(segment) {
+                let (x, y) = positions((&b.dx, &b.dy), segment, planes, piece);
+                put(&mut rows.x, piece, &x);
+                put(&mut rows.y, piece, &y);
+            }
+        }
+        rows
+    }
+}
+
+impl Positions for Rows {
+    #[inline(always)]
+    fn x(&self, lane: usize) -> f32 {
+        self.x[lane]
+    }
+
+    #[inline(always)]
+    fn y(&self, lane: usize) -> f32 {
+        self.y[lane]
+    }
+}
+
 /// The lanes of a piece.
 #[inline(always)]
 pub(super) fn chunk<T: Copy + Default>(lanes: &[T; LANES], piece: Piece) -> [T; CHUNK] {

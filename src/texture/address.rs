@@ -121,6 +121,87 @@ const TO_BORDER: u8 = 1;
 /// A negative index comes in again at the other end.
 const AROUND: u8 = 2;
 
+/// Below this a coordinate takes its whole part off in one step, and times any N it is below 2^22.
+const NEAR: f32 = 512.0;
+
+/// N less 1 if N is a power of two from 2 on, and no coordinate is as far from 0 as [`NEAR`]: then REPEAT comes down to the
+/// last bits of an index. As N s is exact here, floor(N s) modulo N is the index of N (s - nearest whole number).
+#[inline(always)]
+fn repeat_mask(limit: f32, scale: f32, n: f32) -> Option<u32> {
+    let size = round_to_int(n).cast_unsigned();
+    (limit < NEAR && scale == n && size >= 2 && size.is_power_of_two()).then(|| size.wrapping_sub(1))
+}
+
+/// REPEAT of powers of two, CLAMP and CLAMP_TO_EDGE in one form, for the nearest texel of an image in one step.
+#[derive(Clone, Copy)]
+pub(super) struct Near {
+    n: f32,
+    least: f32,
+    greatest: f32,
+    mask: u32,
+}
+
+impl Near {
+    /// For coordinates no farther from 0 than `limit` and N texels; `None` where REPEAT does not come down to a mask.
+    #[inline(always)]
+    pub(super) fn new(repeats: bool, limit: f32, n: f32) -> Option<Self> {
+        if !repeats {
+            // Limited to just below N, the index is at most N - 1.
+            return Some(Self { n, least: 0.0, greatest: n.next_down(), mask: u32::MAX >> 10 });
+        }
+        let mask = repeat_mask(limit, n, n)?;
+        Some(Self { n, least: -BEYOND, greatest: BEYOND, mask })
+    }
+
+    /// The index of the texel at `s`.
+    #[inline(always)]
+    pub(super) fn index(&self, s: f32) -> u32 {
+        let x = clamp_f32(s * self.n, self.least, self.greatest);
+        let biased = x + MAGIC;
+        biased.to_bits().wrapping_sub(u32::from(biased - MAGIC > x)) & self.mask
+    }
+}
+
+/// No coordinate below [`NEAR`] times N comes here.
+const BEYOND: f32 = 4_194_304.0;
+
+/// The first pass of a wrap for NEAREST, of any coordinates: REPEAT or, if not `repeats`, CLAMP and CLAMP_TO_EDGE.
+#[inline(always)]
+pub(super) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, c: u32, repeats: bool) {
+    if repeats {
+        wrap_nearest::<AROUND>(b, u, c, repeat);
+    } else {
+        wrap_nearest::<TO_EDGE>(b, u, c, clamp);
+    }
+}
+
+/// REPEAT of coordinates that [`repeat_mask`] allows, two texels and their weight. The low bits of [`MAGIC`] are 0.
+#[inline(always)]
+fn near_linear(s: f32, n: f32, mask: u32) -> (i32, f32) {
+    let x = (s - ((s + MAGIC) - MAGIC)) * n;
+    let biased = x + (MAGIC - 1.0);
+    ((biased.to_bits() & mask).cast_signed(), (x - 0.5) - (biased - MAGIC))
+}
+
+/// Runs [`near_linear`] over the lanes if they all read one image that allows it.
+#[inline(always)]
+fn near_repeat(b: &mut TexBatch, u: &UnitUniforms, arg: u32) -> bool {
+    let c = (arg & COORDINATE).min(2) as usize;
+    let pass = usize::from(arg & SECOND != 0);
+    let TexBatch { coord, limit, work, .. } = b;
+    if pass == 1 && !work.two_levels {
+        return true;
+    }
+    let Some(image) = work.same[pass].and_then(|same| u.images.get(same)) else { return false };
+    let n = image.size[c];
+    let Some(mask) = repeat_mask(limit[c], if u.unnormalised { 1.0 } else { n }, n) else { return false };
+    let (s, first, weight) = (&coord[c], &mut work.first[c], &mut work.weight[c]);
+    for i in 0..LANES {
+        (first[i], weight[i]) = near_linear(s[i], n, mask);
+    }
+    true
+}
+
 /// Size of a level's dimension from that of the base level: halved `level` times, rounded down, at least 1.
 #[inline(always)]
 fn level_size(base: f32, level: u32) -> f32 {
@@ -182,7 +263,9 @@ fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: 
 stage! {
     /// REPEAT, two texels and their weight.
     pub fn WRAP_REPEAT_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_linear::<AROUND>(b, u, arg, repeat);
+        if !near_repeat(b, u, arg) {
+            wrap_linear::<AROUND>(b, u, arg, repeat);
+        }
     }
     /// CLAMP and CLAMP_TO_EDGE, two texels and their weight.
     pub fn WRAP_CLAMP_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
@@ -240,6 +323,16 @@ pub fn stages(wrap: GLenum) -> (&'static Stage<TexFn>, &'static Stage<TexFn>) {
         GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_EDGE_EXT => (&WRAP_MIRROR_CLAMP_LINEAR, &WRAP_MIRROR_CLAMP_NEAREST),
         GL_MIRROR_CLAMP_TO_BORDER_EXT => (&WRAP_MIRROR_BORDER_LINEAR, &WRAP_MIRROR_BORDER_NEAREST),
         _ => (&WRAP_REPEAT_LINEAR, &WRAP_REPEAT_NEAREST),
+    }
+}
+
+/// Whether a wrap mode is one that [`Near`] knows, and then whether it is REPEAT.
+#[must_use]
+pub fn near(wrap: GLenum) -> Option<bool> {
+    match wrap {
+        GL_REPEAT => Some(true),
+        GL_CLAMP | GL_CLAMP_TO_EDGE => Some(false),
+        _ => None,
     }
 }
 
@@ -303,6 +396,33 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn near_coordinates_take_one_step_to_the_same_texel() {
+        let near = (-2_000_000..2_000_000).map(|i| i as f32 / 4096.0).flat_map(|s| [s.next_down(), s, s.next_up()]);
+        let small = (0..NEAR.to_bits()).step_by(4001).map(f32::from_bits).flat_map(|s| [s, -s]);
+        for s in near.chain(small) {
+            for n in [2.0f32, 8.0, 256.0, 8192.0] {
+                let (Some(mask), Some(repeats)) = (repeat_mask(s.abs(), n, n), Near::new(true, s.abs(), n)) else {
+                    continue;
+                };
+                let ((i, w), j) = both(GL_REPEAT, s, n);
+                let (first, weight) = near_linear(s, n, mask);
+                assert_eq!((first, weight.to_bits()), (i, w.to_bits()), "{s:e} of {n}");
+                assert_eq!(repeats.index(s), j.cast_unsigned(), "{s:e} of {n}");
+            }
+            for n in [1.0f32, 2.0, 3.0, 100.0, 8191.0, 8192.0] {
+                let clamps = Near::new(false, f32::INFINITY, n).unwrap();
+                assert_eq!(clamps.index(s), both(GL_CLAMP, s, n).1.cast_unsigned(), "{s:e} of {n}");
+            }
+        }
+        for n in [1.0, 3.0, 100.0] {
+            assert_eq!(repeat_mask(0.5, n, n), None);
+        }
+        assert_eq!(repeat_mask(0.5, 1.0, 256.0), None);
+        assert_eq!(repeat_mask(512.0, 256.0, 256.0), None);
+        assert_eq!(repeat_mask(f32::INFINITY, 256.0, 256.0), None);
     }
 
     #[test]

@@ -84,6 +84,7 @@ stage! {
         if b.work.taps == 1 {
             return;
         }
+        b.limit = [f32::INFINITY; 3];
         let TexBatch { coord, work: Work { center, axis, tap_step, tap, .. }, .. } = b;
         let tap = *tap as f32;
         for c in 0..(arg as usize).min(3) {

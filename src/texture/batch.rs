@@ -33,8 +33,12 @@ pub struct TexBatch {
     pub previous: [Lanes; 4],
     /// Arguments of the combine functions: three RGBA colours.
     pub args: [[Lanes; 4]; 3],
+    /// Texels of a sampler that gives them packed ([`Sampler::pack`](super::sampler::Sampler::pack)).
+    pub packed: [u32; LANES],
     /// What the stages of a sampler hand to each other.
     pub(super) work: Work,
+    /// No coordinate of a lane is farther from 0; infinity where that is not known. Who writes coordinates writes this.
+    pub limit: [f32; 3],
     /// How many lanes are in use; stages may compute the rest, whose values mean nothing. (Last, so that all lanes are
     /// aligned to 64 bytes.)
     pub n: usize,
@@ -118,7 +122,9 @@ impl TexBatch {
             primary: [Z; 4],
             previous: [Z; 4],
             args: [[Z; 4]; 3],
+            packed: [0; LANES],
             work: Work::new(),
+            limit: [f32::INFINITY; 3],
             n: 0,
         }
     }

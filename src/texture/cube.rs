@@ -33,6 +33,7 @@ fn project(is_x: bool, is_y: bool, ma: f32, x: f32, y: f32, z: f32) -> (f32, f32
 
 #[inline(always)]
 fn faces(b: &mut TexBatch, derivatives: bool) {
+    b.limit = [f32::INFINITY; 3];
     let TexBatch { coord: [cs, ct, cr], ddx: [sx, tx, rx], ddy: [sy, ty, ry], work, .. } = b;
     for i in 0..LANES {
         let (x, y, z) = (cs[i], ct[i], cr[i]);

@@ -5,6 +5,7 @@
 //! and b are equal, so a constant texture stays constant, and never leaves the range of the texels. The factor 1/255 comes
 //! last, once.
 
+use super::address::{Near, far_nearest};
 use super::batch::{Lanes, TexBatch, Work};
 use super::image::Texels;
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
@@ -90,8 +91,11 @@ pub(super) fn lane_offset<const DIMS: usize>(work: &Work, image: &MipLevel, i: u
     o as usize
 }
 
-/// The two neighbours of every lane in a row: texel i of lane l at 2 l, texel i+1 at 2 l + 1.
-type Pairs = [u32; 2 * LANES];
+/// Lanes that are fetched and blended together: while one chunk is blended the texels of the next are on their way.
+const CHUNK: usize = 16;
+
+/// The two neighbours of every lane of a chunk in a row: texel i of lane l at 2 l, texel i+1 at 2 l + 1.
+type Pairs = [u32; 2 * CHUNK];
 
 /// Copies the neighbours at `o` in each of the rows that a filter reads: row j, row j+1, then those of slice k+1.
 #[inline(always)]
@@ -112,26 +116,47 @@ fn pairs<const ROWS: usize>(
     Some(())
 }
 
-/// Fetches the pairs of all lanes. An index beyond the image cannot come out of the wrap stages; were there one, the loop
-/// would end. (That it may end also keeps it a loop of plain loads: gather instructions are slower.)
-#[inline(always)]
-fn fetch<const DIMS: usize, const ROWS: usize>(out: &mut [Pairs; ROWS], w: &Work, u: &UnitUniforms, pass: usize) {
-    if let Some(same) = w.same[pass] {
-        let Some(image) = u.images.get(same) else { return };
-        let at = offsets::<DIMS>(w, image.origin, image.stride, image.slice);
-        let (t, stride, slice) = (texels(image), image.stride as usize, image.slice as usize);
-        for i in 0..LANES {
-            if pairs::<ROWS>(out, i, t, at[i] as usize, stride, slice).is_none() {
-                break;
+/// Where the lanes of a pass find their texels.
+struct Source<'a> {
+    u: &'a UnitUniforms,
+    /// The image that all lanes read, and where in it.
+    same: Option<(&'a MipLevel, [u32; LANES])>,
+    pass: usize,
+}
+
+impl<'a> Source<'a> {
+    #[inline(always)]
+    fn new<const DIMS: usize>(w: &Work, u: &'a UnitUniforms, pass: usize) -> Option<Self> {
+        let same = match w.same[pass] {
+            Some(same) => {
+                let image = u.images.get(same)?;
+                Some((image, offsets::<DIMS>(w, image.origin, image.stride, image.slice)))
             }
-        }
-    } else {
-        for i in 0..LANES {
-            let Some(image) = lane_image(u, w, pass, i) else { break };
-            let (stride, slice) = (image.stride as usize, image.slice as usize);
-            let o = lane_offset::<DIMS>(w, image, i);
-            if pairs::<ROWS>(out, i, texels(image), o, stride, slice).is_none() {
-                break;
+            None => None,
+        };
+        Some(Self { u, same, pass })
+    }
+
+    /// Fetches the pairs of the lanes from `start` on. An index beyond the image cannot come out of the wrap stages; were
+    /// there one, the loop would end. (That it may end also keeps it a loop of plain loads: gather instructions are
+    /// slower.)
+    #[inline(always)]
+    fn fetch<const DIMS: usize, const ROWS: usize>(&self, out: &mut [Pairs; ROWS], w: &Work, start: usize) {
+        if let Some((image, at)) = &self.same {
+            let (t, stride, slice) = (texels(image), image.stride as usize, image.slice as usize);
+            for i in 0..CHUNK {
+                if pairs::<ROWS>(out, i, t, at[start + i] as usize, stride, slice).is_none() {
+                    break;
+                }
+            }
+        } else {
+            for i in 0..CHUNK {
+                let Some(image) = lane_image(self.u, w, self.pass, start + i) else { break };
+                let (stride, slice) = (image.stride as usize, image.slice as usize);
+                let o = lane_offset::<DIMS>(w, image, start + i);
+                if pairs::<ROWS>(out, i, texels(image), o, stride, slice).is_none() {
+                    break;
+                }
             }
         }
     }
@@ -193,43 +218,103 @@ fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut
     if pass == 1 && !b.work.two_levels {
         return;
     }
-    let mut rows = [[0; 2 * LANES]; ROWS];
-    fetch::<DIMS, ROWS>(&mut rows, &b.work, u, pass);
     let TexBatch { texel, work, .. } = b;
-    let Work { weight: [ws, wt, wr], color, .. } = work;
-    let Some((out, k)) = destination(texel, color, u.unit, arg, INV_255) else { return };
-    if ROWS < 4 {
-        blend::<ROWS, FORMAT>(out, &rows, 0, ws, wt, k);
-        return;
+    let Some(source) = Source::new::<DIMS>(work, u, pass) else { return };
+    let mut rows = [[[0; 2 * CHUNK]; ROWS]; 2];
+    source.fetch::<DIMS, ROWS>(&mut rows[0], work, 0);
+    for chunk in 0..LANES / CHUNK {
+        let start = chunk * CHUNK;
+        if start + CHUNK < LANES {
+            source.fetch::<DIMS, ROWS>(&mut rows[(chunk + 1) & 1], work, start + CHUNK);
+        }
+        let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg, INV_255) else { return };
+        blend::<ROWS, FORMAT>(out, &rows[chunk & 1], &work.weight, start, k);
     }
-    let (mut near, mut far) = ([[0.0; LANES]; 4], [[0.0; LANES]; 4]);
-    blend::<2, FORMAT>(&mut near, &rows, 0, ws, wt, 1.0);
-    blend::<2, FORMAT>(&mut far, &rows, 2, ws, wt, 1.0);
-    for c in 0..4 {
+}
+
+/// Blends the rows of the lanes of a chunk.
+#[inline(always)]
+fn blend<const ROWS: usize, const FORMAT: u8>(
+    out: &mut [Lanes; 4],
+    rows: &[Pairs; ROWS],
+    [ws, wt, wr]: &[Lanes; 3],
+    start: usize,
+    k: f32,
+) {
+    for i in 0..CHUNK {
+        let lane = start + i;
+        let across = |r: usize, c: u32| lerp(byte(rows[r][2 * i], c), byte(rows[r][2 * i + 1], c), ws[lane]);
+        let flat = |r: usize, c: u32| lerp(across(r, c), across(r + 1, c), wt[lane]);
+        put::<FORMAT>(out, lane, k, 255.0, |c| match ROWS {
+            1 => across(0, c),
+            2 => flat(0, c),
+            _ => lerp(flat(0, c), flat(2, c), wr[lane]),
+        });
+    }
+}
+
+/// The nearest texel of every lane.
+#[inline(always)]
+fn nearest_texels<const DIMS: usize>(found: &mut [u32; LANES], work: &Work, u: &UnitUniforms, pass: usize) {
+    if let Some(same) = work.same[pass] {
+        let Some(image) = u.images.get(same) else { return };
+        texels_at(found, image, &offsets::<DIMS>(work, image.origin, image.stride, image.slice));
+    } else {
         for i in 0..LANES {
-            out[c][i] = lerp(near[c][i], far[c][i], wr[i]) * k;
+            let Some(image) = lane_image(u, work, pass, i) else { break };
+            let Some(&texel) = texels(image).get(lane_offset::<DIMS>(work, image, i)) else { break };
+            found[i] = texel;
         }
     }
 }
 
-/// Blends one row, or two from `row` on, of every lane.
+/// The texels at these indices of an image.
 #[inline(always)]
-fn blend<const ROWS: usize, const FORMAT: u8>(
-    out: &mut [Lanes; 4],
-    rows: &[Pairs],
-    row: usize,
-    ws: &Lanes,
-    wt: &Lanes,
-    k: f32,
-) {
-    let lower = &rows[row];
-    let upper = &rows[row + ROWS - 1];
-    for i in 0..LANES {
-        let across = |pairs: &Pairs, c: u32| lerp(byte(pairs[2 * i], c), byte(pairs[2 * i + 1], c), ws[i]);
-        put::<FORMAT>(out, i, k, 255.0, |c| {
-            if ROWS == 1 { across(lower, c) } else { lerp(across(lower, c), across(upper, c), wt[i]) }
-        });
+fn texels_at(found: &mut [u32; LANES], image: &MipLevel, at: &[u32; LANES]) {
+    let t = texels(image);
+    if let Some(run) = neighbours(at).and_then(|first| t.get(first..)).and_then(|t| t.first_chunk()) {
+        *found = *run;
+        return;
     }
+    for i in 0..LANES {
+        let Some(&texel) = t.get(at[i] as usize) else { break };
+        found[i] = texel;
+    }
+}
+
+/// Wraps s and t, fetches the nearest texel and leaves it packed. The argument says which of the two repeat.
+#[inline(always)]
+fn texel_2d(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    let repeats = [arg & 1 != 0, arg & 2 != 0];
+    let TexBatch { coord: [s, t, _], limit, packed, work, .. } = b;
+    if let Some(image) = work.same[0].and_then(|same| u.images.get(same))
+        && let Some(across) = Near::new(repeats[0], limit[0], image.size[0])
+        && let Some(up) = Near::new(repeats[1], limit[1], image.size[1])
+    {
+        let mut at = [0; LANES];
+        for i in 0..LANES {
+            let row = image.origin.wrapping_add(up.index(t[i]).wrapping_mul(image.stride));
+            at[i] = row.wrapping_add(across.index(s[i]));
+        }
+        return texels_at(packed, image, &at);
+    }
+    far_nearest(b, u, 0, repeats[0]);
+    far_nearest(b, u, 1, repeats[1]);
+    nearest_texels::<2>(&mut b.packed, &b.work, u, 0);
+}
+
+/// The first index, if each lane reads the texel after that of the lane before it: an image drawn in its own size.
+#[inline(always)]
+fn neighbours(at: &[u32; LANES]) -> Option<usize> {
+    let first = at[0];
+    if at[LANES - 1].wrapping_sub(first) != LANES as u32 - 1 {
+        return None;
+    }
+    let mut differs = 0;
+    for i in 0..LANES {
+        differs |= at[i].wrapping_sub(first) ^ i as u32;
+    }
+    (differs == 0).then_some(first as usize)
 }
 
 #[inline(always)]
@@ -240,21 +325,7 @@ fn sample_nearest<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u3
     }
     let TexBatch { texel, work, .. } = b;
     let mut found = [0; LANES];
-    if let Some(same) = work.same[pass] {
-        let Some(image) = u.images.get(same) else { return };
-        let at = offsets::<DIMS>(work, image.origin, image.stride, image.slice);
-        let t = texels(image);
-        for i in 0..LANES {
-            let Some(&texel) = t.get(at[i] as usize) else { break };
-            found[i] = texel;
-        }
-    } else {
-        for i in 0..LANES {
-            let Some(image) = lane_image(u, work, pass, i) else { break };
-            let Some(&texel) = texels(image).get(lane_offset::<DIMS>(work, image, i)) else { break };
-            found[i] = texel;
-        }
-    }
+    nearest_texels::<DIMS>(&mut found, work, u, pass);
     let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg, INV_255) else { return };
     for i in 0..LANES {
         put::<RGBA>(out, i, k, 255.0, |c| byte(found[i], c));
@@ -273,6 +344,22 @@ stage! {
     /// The nearest texel of a 3D image.
     pub fn NEAREST_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_nearest::<3>(b, u, arg);
+    }
+    /// The nearest texel of a 1D image, packed.
+    pub fn NEAREST_1D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        nearest_texels::<1>(&mut b.packed, &b.work, u, 0);
+    }
+    /// The nearest texel of a 2D image, packed.
+    pub fn NEAREST_2D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        nearest_texels::<2>(&mut b.packed, &b.work, u, 0);
+    }
+    /// REPEAT, CLAMP or CLAMP_TO_EDGE in s and in t, and the nearest texel of a 2D image, packed.
+    pub fn TEXEL_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        texel_2d(b, u, arg);
+    }
+    /// The nearest texel of a 3D image, packed.
+    pub fn NEAREST_3D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+        nearest_texels::<3>(&mut b.packed, &b.work, u, 0);
     }
     /// Two texels of a 1D image.
     pub fn LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
@@ -323,6 +410,16 @@ pub fn nearest(dims: usize) -> &'static Stage<TexFn> {
         1 => &NEAREST_1D,
         2 => &NEAREST_2D,
         _ => &NEAREST_3D,
+    }
+}
+
+/// The stage that reads the nearest texel and leaves it packed.
+#[must_use]
+pub fn nearest_packed(dims: usize) -> &'static Stage<TexFn> {
+    match dims {
+        1 => &NEAREST_1D_PACKED,
+        2 => &NEAREST_2D_PACKED,
+        _ => &NEAREST_3D_PACKED,
     }
 }
 

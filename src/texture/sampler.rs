@@ -43,6 +43,10 @@ pub struct Sampler {
     pub base: BaseFormat,
     /// The steps that are run once for each tap of an anisotropic filter: start and end in the plan.
     pub taps: Option<(usize, usize)>,
+    /// Whether the last stage reads the nearest texel of 8-bit images, with how many coordinates.
+    nearest: Option<usize>,
+    /// For each wrap mode [`address::near`].
+    wraps: [Option<bool>; 3],
 }
 
 /// Fills the rings of the images that sampling reads, for the wraps and the border colour of the object. To be called
@@ -208,7 +212,31 @@ impl Sampler {
                 _ => 1,
             }),
         };
-        Self { plan: builder.plan, uniforms, needs, base, taps }
+        let one_level = match lod {
+            Lod::Base { linear } => !linear,
+            Lod::Constant { linear, .. } => !linear && !blends_levels(p.min_filter),
+            Lod::Varies { mixed, linear } => !linear && !mixed && !blends_levels(p.min_filter),
+        };
+        let nearest = (one_level && builder.storage == Some(Storage::Rgba8)).then_some(dims);
+        Self { plan: builder.plan, uniforms, needs, base, taps, nearest, wraps: p.wrap.map(address::near) }
+    }
+
+    /// Makes the sampler write packed texels (`packed` of the batch) and nothing else, if each of its texels is one 8-bit
+    /// texel of an image; says whether it is so.
+    pub fn pack(&mut self) -> bool {
+        let Some(dims) = self.nearest else { return false };
+        let steps = &mut self.plan.steps;
+        match self.wraps {
+            [Some(s), Some(t), _] if dims == 2 && !self.uniforms.unnormalised => {
+                steps.truncate(steps.len().saturating_sub(3));
+                self.plan.push(&filter::TEXEL_2D, u32::from(s) | u32::from(t) << 1);
+            }
+            _ => {
+                steps.pop();
+                self.plan.push(filter::nearest_packed(dims), 0);
+            }
+        }
+        true
     }
 
     /// Samples all lanes of a batch: reads coordinates and derivatives, writes the texel of the unit.

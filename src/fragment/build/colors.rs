@@ -5,13 +5,13 @@ use super::super::compare::Func;
 use super::super::planes::UnitSlots;
 use super::super::program::{Action, Fate};
 use super::super::uniforms::FragFn;
-use super::super::{coordinates, fog, interpolate, pack};
+use super::super::{coordinates, fog, interpolate, pack, texel};
 use super::Builder;
 use crate::batch::Stage;
 use crate::enums::{GL_EXP2, GL_LINEAR, GL_SEPARATE_SPECULAR_COLOR, name};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
-use crate::texture::combine::Source;
+use crate::texture::combine::{Function, Half, Operand, Source};
 use crate::texture::env::{EnvPlan, combine};
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
@@ -34,7 +34,8 @@ impl Builder<'_> {
         let coverage = self.options.coverage || general;
         let plain = packable && !textured && !sum && fog.is_none() && !coverage && alpha_test.is_none() && !general;
         if textured {
-            self.texturing(textures);
+            let untouched = packable && !sum && fog.is_none() && !coverage && !general;
+            self.texturing(textures, untouched, alpha_test.is_some());
         } else {
             self.decide("texturing", Fate::LeftOut, "no unit has an enabled and complete texture");
             self.program.layout.color = Some(self.slots(4));
@@ -72,8 +73,9 @@ impl Builder<'_> {
         plain
     }
 
-    /// Sampling and environments of all units.
-    pub(super) fn texturing(&mut self, textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS]) {
+    /// Sampling and environments of all units. `untouched`: what they give is rounded and stored, with nothing between but
+    /// perhaps the alpha test.
+    fn texturing(&mut self, textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS], untouched: bool, alpha_test: bool) {
         let state = self.state;
         let mut bases: [Option<BaseFormat>; MAX_TEXTURE_UNITS] = [None; MAX_TEXTURE_UNITS];
         let mut samplers: Vec<(usize, Sampler)> = Vec::new();
@@ -83,7 +85,13 @@ impl Builder<'_> {
             bases[unit] = Some(sampler.base);
             samplers.push((unit, sampler));
         }
-        if self.reads_primary(&bases) || self.options.general {
+        let alpha = if untouched { self.texel_alpha(&mut samplers, alpha_test) } else { None };
+        self.texel = alpha.is_some();
+        let reads_primary = match alpha {
+            Some(alpha) => alpha == texel::PRIMARY_ALPHA,
+            None => self.reads_primary(&bases) || self.options.general,
+        };
+        if reads_primary {
             self.program.layout.color = Some(self.slots(4));
             let first = self.first();
             self.push(&interpolate::PRIMARY, first);
@@ -119,6 +127,15 @@ impl Builder<'_> {
             self.decide(format!("unit {unit} sampler"), Fate::Kept, steps.join(", "));
             self.program.samplers.push(sampler);
         }
+        if let Some(alpha) = alpha {
+            self.push(&texel::PACK_TEXEL, alpha);
+            self.decide(
+                "environments",
+                Fate::LeftOut,
+                "REPLACE with the nearest 8-bit texel: it is stored as it is, without a way through floats",
+            );
+            return;
+        }
         let units: Vec<_> =
             bases.iter().enumerate().map(|(u, base)| Some((&state.texture.units.get(u)?.env, (*base)?))).collect();
         let environments = EnvPlan::build_with(self.level, &units, self.options.general);
@@ -126,6 +143,33 @@ impl Builder<'_> {
         self.decide("environments", Fate::Kept, steps.join(", "));
         self.program.environments = Some(environments);
         self.program.actions.push(Action::Environments);
+    }
+
+    /// Where the one unit puts the nearest 8-bit texel in the place of the colour: makes its sampler give packed texels,
+    /// and says where alpha comes from, as [`texel::PACK_TEXEL`] has it.
+    fn texel_alpha(&self, samplers: &mut [(usize, Sampler)], alpha_test: bool) -> Option<u32> {
+        let [(unit, sampler)] = samplers else { return None };
+        let form = combine(&self.state.texture.units.get(*unit)?.env, sampler.base, *unit, |_| false);
+        let of_texel = |half: &Half, operands: &[Operand]| {
+            let [first, ..] = half.args;
+            half.function == Function::Replace
+                && half.scale == 1.0
+                && first.source == Source::Texture(*unit)
+                && operands.contains(&first.operand)
+        };
+        let keeps = form.alpha.function == Function::Replace
+            && form.alpha.scale == 1.0
+            && matches!(form.alpha.args[0].source, Source::Previous | Source::Primary)
+            && matches!(form.alpha.args[0].operand, Operand::Color | Operand::Alpha);
+        let no_alpha = !alpha_test && self.program.uniforms.packed_or >> 24 == 0xFF;
+        let alpha = if no_alpha || of_texel(&form.alpha, &[Operand::Color, Operand::Alpha]) {
+            0
+        } else if keeps && !alpha_test {
+            texel::PRIMARY_ALPHA
+        } else {
+            return None;
+        };
+        (of_texel(&form.rgb, &[Operand::Color]) && sampler.pack()).then_some(alpha)
     }
 
     /// Whether any environment reads the primary colour: by name, or as what comes before the first unit.

@@ -12,7 +12,7 @@ use super::planes::Layout;
 use super::program::{Action, Decision, Fate, Options, Program};
 use super::stencil::StencilOp;
 use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
-use super::{alpha, depth, fill, stencil};
+use super::{alpha, depth, fill, stencil, texel};
 use crate::batch::{Level, Stage, Step};
 use crate::enums::{GL_NONE, GL_NOOP};
 use crate::framebuffer::FramebufferFormat;
@@ -29,6 +29,8 @@ struct Builder<'a> {
     options: Options,
     /// Whether the next stage that interpolates has to compute 1 / D.
     first: bool,
+    /// Whether the fragment's colour is a packed texel.
+    texel: bool,
     program: Program,
 }
 
@@ -66,7 +68,7 @@ impl Program {
             tally: None,
         };
         let level = level.at_most_available();
-        let mut b = Builder { level, state, format, options, first: true, program };
+        let mut b = Builder { level, state, format, options, first: true, texel: false, program };
         b.build(textures);
         b.program
     }
@@ -126,7 +128,7 @@ impl Builder<'_> {
             if direct && plain {
                 self.decide("store", Fate::Hoisted, "with the colour, since no test can kill a fragment");
             } else if writes_color {
-                self.store(plain, blend, logic_op);
+                self.store(plain || self.texel, blend, logic_op);
             }
         } else {
             self.decide("colour", Fate::LeftOut, "no colour channel is written and no test looks at alpha");
@@ -278,7 +280,11 @@ impl Builder<'_> {
     /// The alpha test.
     fn alpha_test(&mut self, tests: &Tests) {
         if let Some(func) = tests.alpha {
-            let stage = if self.format.float { &alpha::ALPHA_TEST_FLOAT } else { &alpha::ALPHA_TEST };
+            let stage = match (self.format.float, self.texel) {
+                (true, _) => &alpha::ALPHA_TEST_FLOAT,
+                (_, true) => &texel::ALPHA_TEST_TEXEL,
+                _ => &alpha::ALPHA_TEST,
+            };
             self.push(stage, func as u32);
             if !self.options.general {
                 self.program.actions.push(Action::StopIfDead);
