@@ -387,13 +387,14 @@ fn whole<const K: usize>(
 #[inline(always)]
 fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &UnitSlots, arg: u32) {
     let (index, first, derivatives) = (arg >> 2, arg & FIRST != 0, arg & DERIVATIVES != 0);
-    if let Some(segment) = one_primitive(b)
+    let segments = b.segments.get(..b.segment_count).unwrap_or(&[]);
+    if let Some(segment) = one_primitive(segments)
         && let Some(unit) = unit::<K>(w, &segment, slots, index)
     {
         if single_row(b) {
             whole(b, &unit, &Row::new(&segment, unit.planes), slots, first, derivatives);
         } else {
-            let rows = Rows::new(b, unit.planes);
+            let rows = Rows::new(segments, (&b.dx, &b.dy), unit.planes);
             whole(b, &unit, &rows, slots, first, derivatives);
         }
         return;

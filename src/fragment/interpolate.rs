@@ -5,7 +5,8 @@
 use super::batch::{FragmentBatch, Segment};
 use super::planes::{GROUP, Plane, PlaneGroup, Planes};
 use super::segments::{
-    CHUNK, Chunk, IOTA, Piece, chunk, linear, linear64, pieces, positions, put, row_origin, single_row,
+    CHUNK, Chunk, Piece, Positions, Row, Rows, chunk, linear, linear64, one_primitive, pieces, positions, put,
+    single_row,
 };
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
@@ -116,42 +117,41 @@ struct Places<'a> {
     single_row: bool,
 }
 
-/// One row of one primitive that fills the batch.
+/// Lanes of one primitive that fill the batch.
 #[inline(always)]
-fn row<const K: usize>(
-    segment: &Segment,
+fn whole<const K: usize>(
+    places: &impl Positions,
     planes: &Planes,
     pool: &[Plane; K],
     first: bool,
     rw: &mut Lanes,
     out: &mut [Lanes; K],
 ) {
-    let (x0, y) = row_origin(segment, planes);
-    let (x0, y) = (x0 as f32, y as f32);
     if first {
         if planes.affine {
             *rw = [1.0; LANES];
         } else {
-            let (at, x) = ((planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32);
+            let (at, x, y) = (planes.d.at as f32, planes.d.x as f32, planes.d.y as f32);
             for i in 0..LANES {
-                rw[i] = 1.0 / (at + x * (x0 + IOTA[i]));
+                rw[i] = 1.0 / ((at + y * places.y(i)) + x * places.x(i));
             }
         }
     }
     for k in 0..K {
         let p = &pool[k];
-        let (at, x) = (p.n0 as f32 + p.ny as f32 * y, p.nx as f32);
+        let (at, x, y) = (p.n0 as f32, p.nx as f32, p.ny as f32);
+        let n = |i: usize| (at + y * places.y(i)) + x * places.x(i);
         let (c, min, max) = (p.c, p.min, p.max);
         let out = &mut out[k];
         if min == max {
             *out = [max; LANES];
         } else if planes.affine {
             for i in 0..LANES {
-                out[i] = clamp_f32(c + (at + x * (x0 + IOTA[i])), min, max);
+                out[i] = clamp_f32(c + n(i), min, max);
             }
         } else {
             for i in 0..LANES {
-                out[i] = clamp_f32(c + (at + x * (x0 + IOTA[i])) * rw[i], min, max);
+                out[i] = clamp_f32(c + n(i) * rw[i], min, max);
             }
         }
     }
@@ -168,12 +168,15 @@ fn slots<const K: usize>(
     out: &mut [Lanes; K],
 ) {
     let Some(slot) = slot else { return };
-    if b.single_row
-        && let Some(segment) = b.segments.first()
-        && let Some((planes, pool)) = primitive::<K>(work, segment, slot)
+    if let Some(segment) = one_primitive(b.segments)
+        && let Some((planes, pool)) = primitive::<K>(work, &segment, slot)
         && planes.wide & Planes::WIDE_W == 0
     {
-        row(segment, planes, pool, first, rw, out);
+        if b.single_row {
+            whole(&Row::new(&segment, planes), planes, pool, first, rw, out);
+        } else {
+            whole(&Rows::new(b.segments, b.lanes, planes), planes, pool, first, rw, out);
+        }
         return;
     }
     for segment in b.segments {

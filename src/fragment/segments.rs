@@ -154,8 +154,7 @@ pub(super) fn single_row(b: &FragmentBatch) -> bool {
 
 /// A segment of the primitive that all lanes belong to, if it is one: then stages may compute the batch as a whole.
 #[inline(always)]
-pub(super) fn one_primitive(b: &FragmentBatch) -> Option<Segment> {
-    let segments = b.segments.get(..b.segment_count)?;
+pub(super) fn one_primitive(segments: &[Segment]) -> Option<Segment> {
     let first = segments.first()?;
     segments.iter().all(|s| s.prim == first.prim).then_some(*first)
 }
@@ -202,13 +201,13 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Those of all lanes of a batch.
+    /// Those of all segments of a batch; `lanes` are its x and y of segments that are no rows.
     #[inline(always)]
-    pub(super) fn new(b: &FragmentBatch, planes: &Planes) -> Self {
+    pub(super) fn new(segments: &[Segment], lanes: (&Lanes, &Lanes), planes: &Planes) -> Self {
         let mut rows = Self { x: [0.0; LANES], y: [0.0; LANES] };
-        for segment in b.segments.get(..b.segment_count).unwrap_or(&[]) {
+        for segment in segments {
             for piece in pieces(segment) {
-                let (x, y) = positions((&b.dx, &b.dy), segment, planes, piece);
+                let (x, y) = positions(lanes, segment, planes, piece);
                 put(&mut rows.x, piece, &x);
                 put(&mut rows.y, piece, &y);
             }

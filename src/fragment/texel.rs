@@ -1,22 +1,96 @@
-//! Texels that reach the store as they are (OpenGL 1.5, sections 3.8.13 and 4.1.4). Where the one texture is read by NEAREST
-//! from 8-bit texels and its environment puts the texel in the place of the colour, a pixel is a texel: as floats it would
-//! be c/255 in every channel, and 255 times that rounds to c again. So the word goes from fetch to store as it is.
+//! Texels that become pixels at once (OpenGL 1.5, sections 3.8.13 and 4.1.4), where nothing but the alpha test comes between
+//! the last texture environment and the store.
+//!
+//! Where the one texture is read by NEAREST from 8-bit texels and its environment puts the texel in the place of the colour,
+//! a pixel is a texel: as floats it would be c/255 in every channel, and 255 times that rounds to c again. So the word goes
+//! from fetch to store as it is. Other texels are rounded by the stage that replaces the colour or multiplies it.
 
 use super::batch::FragmentBatch;
 use super::compare::{Func, any, compare};
-use super::pack::byte;
+use super::pack::{byte, pixel};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
+use crate::texture::batch::{Lanes, TexBatch};
 
+/// In the number of a stage that packs: the alpha test follows, which is to see alpha as it is.
+pub(super) const TESTED: u32 = 1;
 /// In the number of [`PACK_TEXEL`]: alpha is that of the primary colour, not of the texel.
-pub(super) const PRIMARY_ALPHA: u32 = 1;
+pub(super) const PRIMARY_ALPHA: u32 = 2;
+/// In the number of [`ENV_PACK`]: the colour so far is that of the environment before, not the primary colour.
+pub(super) const LATER: u32 = 2;
 
 const COLOR: u32 = 0x00FF_FFFF;
 
+/// What an environment does to the colour half or to alpha.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Step {
+    /// The texel takes its place.
+    Texel = 0,
+    /// The texel is multiplied with it.
+    Product = 1,
+    /// It stays.
+    Stays = 2,
+}
+
+/// The number of [`ENV_PACK`] for a unit, of what it does to colour and alpha, and flags.
+pub(super) fn env_pack(unit: usize, [color, alpha]: [Step; 2], flags: u32) -> u32 {
+    flags | (unit as u32) << 2 | (color as u32) << 8 | (alpha as u32) << 10
+}
+
+/// The bits to be set in a pixel once alpha is not looked at any more.
+#[inline(always)]
+fn or(u: &FragUniforms, arg: u32) -> u32 {
+    if arg & TESTED == 0 { u.packed_or } else { 0 }
+}
+
+/// A channel of a step, as a byte.
+#[inline(always)]
+fn channel<const STEP: u32>(texel: f32, so_far: f32) -> u32 {
+    byte(match STEP {
+        0 => texel,
+        1 => texel * so_far,
+        _ => so_far,
+    })
+}
+
+/// The pixels of all lanes.
+#[inline(always)]
+fn pixels<const COLOR: u32, const ALPHA: u32>(
+    texel: &[Lanes; 4],
+    so_far: &[Lanes; 4],
+    or: u32,
+    out: &mut [u32; LANES],
+) {
+    let color = |c: usize, i: usize| channel::<COLOR>(texel[c][i], so_far[c][i]);
+    for i in 0..LANES {
+        let alpha = channel::<ALPHA>(texel[3][i], so_far[3][i]);
+        out[i] = pixel(color(0, i), color(1, i), color(2, i), alpha) | or;
+    }
+}
+
 stage! {
+    /// The last environment and the rounding of what it gives.
+    pub(super) fn ENV_PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+        let TexBatch { texel, primary, previous, .. } = &b.tex;
+        let Some(texel) = texel.get((arg >> 2 & 63) as usize) else { return };
+        let so_far = if arg & LATER == 0 { primary } else { previous };
+        let (or, out) = (or(u, arg), &mut b.packed);
+        match arg >> 8 {
+            0 => pixels::<0, 0>(texel, so_far, or, out),
+            1 => pixels::<1, 0>(texel, so_far, or, out),
+            2 => pixels::<2, 0>(texel, so_far, or, out),
+            4 => pixels::<0, 1>(texel, so_far, or, out),
+            5 => pixels::<1, 1>(texel, so_far, or, out),
+            6 => pixels::<2, 1>(texel, so_far, or, out),
+            8 => pixels::<0, 2>(texel, so_far, or, out),
+            9 => pixels::<1, 2>(texel, so_far, or, out),
+            _ => pixels::<2, 2>(texel, so_far, or, out),
+        }
+    }
+
     /// The texels as pixels.
     pub(super) fn PACK_TEXEL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
-        let or = u.packed_or;
+        let or = or(u, arg);
         if arg & PRIMARY_ALPHA == 0 {
             for i in 0..LANES {
                 b.packed[i] = b.tex.packed[i] | or;
@@ -29,11 +103,12 @@ stage! {
         }
     }
 
-    /// The alpha test on the bytes of the texels.
-    pub(super) fn ALPHA_TEST_TEXEL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    /// The alpha test on the bytes of the pixels.
+    pub(super) fn ALPHA_TEST_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let mut alpha = [0; LANES];
         for i in 0..LANES {
-            alpha[i] = b.tex.packed[i] >> 24;
+            alpha[i] = b.packed[i] >> 24;
+            b.packed[i] |= u.packed_or;
         }
         compare(Func::from_arg(arg), &alpha, &[byte(u.alpha_ref); LANES], &mut b.tex.mask);
         b.alive = any(&b.tex.mask);

@@ -191,9 +191,15 @@ impl EnvPlan {
     /// [`EnvPlan::build`]; with `general` every half goes the general way, which gives the same bits.
     #[must_use]
     pub fn build_with(level: Level, units: &[Option<(&Env, BaseFormat)>], general: bool) -> Self {
+        Self::build_until(level, units, units.len(), general)
+    }
+
+    /// [`EnvPlan::build_with`] without the environments of the units from `end` on, whose textures are there all the same.
+    #[must_use]
+    pub fn build_until(level: Level, units: &[Option<(&Env, BaseFormat)>], end: usize, general: bool) -> Self {
         let mut this = Self { plan: Plan::new(level), uniforms: EnvUniforms::default() };
         let mut first = true;
-        for (unit, entry) in units.iter().enumerate() {
+        for (unit, entry) in units.iter().enumerate().take(end) {
             let Some((env, base)) = entry else { continue };
             if let Some(color) = this.uniforms.colors.get_mut(unit) {
                 *color = env.color.map(clamp01);

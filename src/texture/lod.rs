@@ -47,6 +47,80 @@ fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
     }
 }
 
+/// The level that all lanes read, if the squares of rho (in `rho2`) are all well within the range of one level.
+#[inline(always)]
+fn one_level(rho2: &Lanes, u: &UnitUniforms) -> Option<u32> {
+    // The bits of floats that are not negative are in their order; those of NaN are above all of them.
+    let (mut least, mut greatest) = (u32::MAX, 0);
+    for i in 0..LANES {
+        let bits = rho2[i].to_bits();
+        least = if bits < least { bits } else { least };
+        greatest = if bits > greatest { bits } else { greatest };
+    }
+    let within = |[from, to]: &[f32; 2]| least >= from.to_bits() && greatest < to.to_bits();
+    u.level_ranges.iter().position(within).map(|level| level as u32)
+}
+
+/// The level of *_MIPMAP_NEAREST, without lambda where all lanes certainly read the same.
+#[inline(always)]
+fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    let TexBatch { ddx, ddy, lambda: rho2, .. } = b;
+    for i in 0..LANES {
+        rho2[i] = max_f32(span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
+    }
+    match one_level(rho2, u) {
+        Some(level) => {
+            b.work.level[0] = [level; LANES];
+            b.work.two_levels = false;
+            if arg & CUBE == 0 {
+                b.work.same[0] = Some(level as usize);
+            } else {
+                set_same(b, u, arg);
+            }
+        }
+        None => {
+            for i in 0..LANES {
+                b.lambda[i] = lambda(b.lambda[i], u);
+            }
+            nearest_levels(b, u, arg);
+        }
+    }
+}
+
+/// The level of *_MIPMAP_NEAREST by lambda.
+#[inline(always)]
+fn nearest_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    for i in 0..LANES {
+        let up = -floor_f32(-clamp_f32(b.lambda[i] - 0.5, 0.0, u.last));
+        b.work.level[0][i] = round_to_int(up) as u32;
+    }
+    b.work.two_levels = false;
+    set_same(b, u, arg);
+}
+
+/// For each level of *_MIPMAP_NEAREST from which rho squared on, and up to which, it is certainly the one to be read. The
+/// computed lambda is within 2^-14 of lambda; these ranges keep a distance of 2^-11 from its steps, so no lane that is
+/// within a range can come to another level.
+#[must_use]
+pub fn level_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f32; 2]> {
+    if min_lod.is_nan() || max_lod.is_nan() {
+        return Vec::new();
+    }
+    let level = |lambda: f32| (-floor_f32(-clamp_f32(lambda - 0.5, 0.0, last))) as i32;
+    let (least, greatest) = (level(min_lod), level(if max_lod > min_lod { max_lod } else { min_lod }));
+    let rho2 = |step: i32, off: f64| crate::num::exp2(2.0 * (f64::from(step) - 0.5 - f64::from(bias) + off)) as f32;
+    const OFF: f64 = 1.0 / 2048.0;
+    (0..=last as i32)
+        .map(|n| match (n < least, n > greatest) {
+            (false, false) => {
+                let from = if n == least { 0.0 } else { rho2(n, OFF) };
+                [from, if n == greatest { f32::INFINITY } else { rho2(n + 1, -OFF) }]
+            }
+            _ => [f32::INFINITY, 0.0],
+        })
+        .collect()
+}
+
 /// Whether all live lanes have the same value, and a live lane's value.
 #[inline(always)]
 fn uniform(n: usize, mask: &[u32; LANES], values: &[u32; LANES]) -> Option<u32> {
@@ -105,12 +179,19 @@ stage! {
     }
     /// The level of *_MIPMAP_NEAREST.
     pub fn LEVEL_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        for i in 0..LANES {
-            let up = -floor_f32(-clamp_f32(b.lambda[i] - 0.5, 0.0, u.last));
-            b.work.level[0][i] = round_to_int(up) as u32;
-        }
-        b.work.two_levels = false;
-        set_same(b, u, arg);
+        nearest_levels(b, u, arg);
+    }
+    /// [`LAMBDA_1D`] and [`LEVEL_NEAREST`].
+    pub fn NEAREST_LEVEL_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        nearest_level::<1>(b, u, arg);
+    }
+    /// [`LAMBDA_2D`] and [`LEVEL_NEAREST`].
+    pub fn NEAREST_LEVEL_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        nearest_level::<2>(b, u, arg);
+    }
+    /// [`LAMBDA_3D`] and [`LEVEL_NEAREST`].
+    pub fn NEAREST_LEVEL_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        nearest_level::<3>(b, u, arg);
     }
     /// The two levels of *_MIPMAP_LINEAR and the weight of the second.
     pub fn LEVEL_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
@@ -153,6 +234,16 @@ stage! {
     }
 }
 
+/// The stage that finds the level of *_MIPMAP_NEAREST for this many coordinates.
+#[must_use]
+pub fn nearest_level_stage(dims: usize) -> &'static Stage<TexFn> {
+    match dims {
+        1 => &NEAREST_LEVEL_1D,
+        2 => &NEAREST_LEVEL_2D,
+        _ => &NEAREST_LEVEL_3D,
+    }
+}
+
 /// The stage that computes lambda for this many coordinates.
 #[must_use]
 pub fn lambda_stage(dims: usize) -> &'static Stage<TexFn> {
@@ -160,5 +251,37 @@ pub fn lambda_stage(dims: usize) -> &'static Stage<TexFn> {
         1 => &LAMBDA_1D,
         2 => &LAMBDA_2D,
         _ => &LAMBDA_3D,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_holds_its_level_only() {
+        for (bias, min, max, last) in [
+            (0.0, -1000.0, 1000.0, 10.0f32),
+            (0.7, -1000.0, 1000.0, 10.0),
+            (-3.2, 0.3, 4.4, 10.0),
+            (0.0, 2.5, 2.6, 3.0),
+        ] {
+            let ranges = level_ranges(bias, min, max, last);
+            assert_eq!(ranges.len(), last as usize + 1);
+            let mut inside = 0;
+            for bits in (0..0x7f80_0000u32).step_by(1009) {
+                let rho2 = f32::from_bits(bits);
+                let lambda = max_f32(min_f32(0.5 * log2_f32(rho2) + bias, max), min);
+                let level = -floor_f32(-clamp_f32(lambda - 0.5, 0.0, last));
+                for (n, [from, to]) in ranges.iter().enumerate() {
+                    if (*from..*to).contains(&rho2) {
+                        assert_eq!(level, n as f32, "{rho2:e} with bias {bias}");
+                        inside += 1;
+                    }
+                }
+            }
+            assert!(inside > 2_000_000, "nearly every rho is in a range: {inside}");
+        }
+        assert!(level_ranges(0.0, f32::NAN, 1.0, 5.0).is_empty());
     }
 }

@@ -167,6 +167,8 @@ impl Sampler {
             builder.push(if derivatives { &cube::CUBE_FACE_DERIVATIVES } else { &cube::CUBE_FACE }, 0);
         }
         let mut taps = None;
+        let one_of_many = is_mipmap_filter(p.min_filter) && !blends_levels(p.min_filter);
+        let nearest_level = one_of_many && !is_anisotropic(p, &uniforms) && !general;
         match lod {
             Lod::Base { linear } => {
                 if cube {
@@ -177,6 +179,10 @@ impl Sampler {
             Lod::Constant { lambda, linear } => {
                 builder.push(&lod::LAMBDA_CONSTANT, lambda.to_bits());
                 builder.levels(p.min_filter, linear, false);
+            }
+            Lod::Varies { mixed: false, linear } if nearest_level => {
+                builder.push(lod::nearest_level_stage(dims), if cube { lod::CUBE } else { 0 });
+                builder.pass(linear, false, 0);
             }
             Lod::Varies { mixed, linear } => {
                 let anisotropic = is_anisotropic(p, &uniforms);

@@ -4,6 +4,7 @@
 
 use super::batch::TexBatch;
 use super::image::Image;
+use super::lod::level_ranges;
 use super::object::TextureObject;
 use crate::enums::*;
 use crate::limits::{MAX_TEXTURE_LEVELS, MAX_TEXTURE_LOD_BIAS};
@@ -71,6 +72,8 @@ pub struct UnitUniforms {
     /// Whether magnified fragments read the nearest texel and minified ones filter (else the other way round). Only
     /// read where the two differ.
     pub magnify_nearest: bool,
+    /// For each level the squares of rho with which it is certainly the nearest ([`level_ranges`]).
+    pub level_ranges: Vec<[f32; 2]>,
     /// Greatest number of taps of the anisotropic filter.
     pub max_taps: f32,
     /// TEXTURE_COMPARE_FUNC.
@@ -120,6 +123,7 @@ impl UnitUniforms {
             (GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST | GL_NEAREST_MIPMAP_LINEAR) => 0.5,
             _ => 0.0,
         };
+        let bias = clamp_f32(p.lod_bias + unit_bias, -MAX_TEXTURE_LOD_BIAS, MAX_TEXTURE_LOD_BIAS);
         Self {
             unit,
             images,
@@ -128,11 +132,12 @@ impl UnitUniforms {
             size,
             scale: if unnormalised { [1.0; 3] } else { size },
             unnormalised,
-            bias: clamp_f32(p.lod_bias + unit_bias, -MAX_TEXTURE_LOD_BIAS, MAX_TEXTURE_LOD_BIAS),
+            bias,
             min_lod: p.min_lod,
             max_lod: p.max_lod,
             last: (last - base) as f32,
             magnify_below,
+            level_ranges: level_ranges(bias, p.min_lod, p.max_lod, (last - base) as f32),
             magnify_nearest: p.mag_filter == GL_NEAREST,
             max_taps: max_f32(1.0, min_f32(p.max_anisotropy, crate::limits::MAX_TEXTURE_MAX_ANISOTROPY)).trunc(),
             compare_func: p.compare_func,

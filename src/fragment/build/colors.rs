@@ -1,21 +1,19 @@
-//! The part of a program that makes the fragment's colour: interpolation, texturing of all units, colour sum, fog,
-//! coverage; and with it the layout, since every stage that interpolates takes its slots where it is placed.
+//! The part of a program that makes the fragment's colour: interpolation, colour sum, fog, coverage (texturing is next
+//! door); and with it the layout, since every stage that interpolates takes its slots where it is placed.
 
 use super::super::compare::Func;
-use super::super::planes::UnitSlots;
-use super::super::program::{Action, Fate};
+use super::super::program::Fate;
 use super::super::uniforms::FragFn;
-use super::super::{coordinates, fog, interpolate, pack, texel};
+use super::super::{fog, interpolate, pack};
 use super::Builder;
 use crate::batch::Stage;
 use crate::enums::{GL_EXP2, GL_LINEAR, GL_SEPARATE_SPECULAR_COLOR, name};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
-use crate::texture::combine::{Function, Half, Operand, Source};
-use crate::texture::env::{EnvPlan, combine};
+use crate::texture::combine::Source;
+use crate::texture::env::combine;
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
-use crate::texture::sampler::Sampler;
 
 impl Builder<'_> {
     /// Everything that makes the fragment's colour. Gives whether that is the interpolated colour and nothing else, and
@@ -71,105 +69,6 @@ impl Builder<'_> {
             self.push(&fog::COVERAGE, 0);
         }
         plain
-    }
-
-    /// Sampling and environments of all units. `untouched`: what they give is rounded and stored, with nothing between but
-    /// perhaps the alpha test.
-    fn texturing(&mut self, textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS], untouched: bool, alpha_test: bool) {
-        let state = self.state;
-        let mut bases: [Option<BaseFormat>; MAX_TEXTURE_UNITS] = [None; MAX_TEXTURE_UNITS];
-        let mut samplers: Vec<(usize, Sampler)> = Vec::new();
-        for (unit, texture) in textures.iter().enumerate() {
-            let (Some(texture), Some(unit_state)) = (texture, state.texture.units.get(unit)) else { continue };
-            let sampler = Sampler::build_with(self.level, texture, unit_state.env.lod_bias, unit, self.options.general);
-            bases[unit] = Some(sampler.base);
-            samplers.push((unit, sampler));
-        }
-        let alpha = if untouched { self.texel_alpha(&mut samplers, alpha_test) } else { None };
-        self.texel = alpha.is_some();
-        let reads_primary = match alpha {
-            Some(alpha) => alpha == texel::PRIMARY_ALPHA,
-            None => self.reads_primary(&bases) || self.options.general,
-        };
-        if reads_primary {
-            self.program.layout.color = Some(self.slots(4));
-            let first = self.first();
-            self.push(&interpolate::PRIMARY, first);
-            self.decide("colour", Fate::Kept, "a texture environment reads it");
-        } else {
-            self.decide("colour", Fate::LeftOut, "no texture environment reads the primary colour");
-        }
-        for (unit, sampler) in samplers {
-            let has_q = self.has_q(unit, sampler.needs.cube);
-            let count = sampler.needs.coordinates.clamp(1, 3);
-            let base = self.slots(count + usize::from(has_q));
-            let slots = UnitSlots {
-                base,
-                count,
-                has_q,
-                period: sampler.needs.period,
-                size: sampler.needs.size,
-                cube: sampler.needs.cube,
-            };
-            if let Some(place) = self.program.layout.units.get_mut(unit) {
-                *place = Some(slots);
-            }
-            let derivatives = sampler.needs.derivatives || self.options.general;
-            // A unit with q does not need 1 / D and leaves it to a later stage.
-            let first = if has_q { 0 } else { self.first() };
-            let flags = first | if derivatives { coordinates::DERIVATIVES } else { 0 };
-            self.push(&coordinates::COORDINATES, flags | (unit as u32) << 2);
-            let q = if has_q { "divided by q" } else { "q is 1" };
-            let d = if derivatives { "with derivatives" } else { "no derivatives, the level cannot differ" };
-            self.decide(format!("unit {unit} coordinates"), Fate::Kept, format!("{count} of s, t, r, {q}, {d}"));
-            self.program.actions.push(Action::Sample(self.program.samplers.len()));
-            let steps: Vec<_> = sampler.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
-            self.decide(format!("unit {unit} sampler"), Fate::Kept, steps.join(", "));
-            self.program.samplers.push(sampler);
-        }
-        if let Some(alpha) = alpha {
-            self.push(&texel::PACK_TEXEL, alpha);
-            self.decide(
-                "environments",
-                Fate::LeftOut,
-                "REPLACE with the nearest 8-bit texel: it is stored as it is, without a way through floats",
-            );
-            return;
-        }
-        let units: Vec<_> =
-            bases.iter().enumerate().map(|(u, base)| Some((&state.texture.units.get(u)?.env, (*base)?))).collect();
-        let environments = EnvPlan::build_with(self.level, &units, self.options.general);
-        let steps: Vec<_> = environments.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
-        self.decide("environments", Fate::Kept, steps.join(", "));
-        self.program.environments = Some(environments);
-        self.program.actions.push(Action::Environments);
-    }
-
-    /// Where the one unit puts the nearest 8-bit texel in the place of the colour: makes its sampler give packed texels,
-    /// and says where alpha comes from, as [`texel::PACK_TEXEL`] has it.
-    fn texel_alpha(&self, samplers: &mut [(usize, Sampler)], alpha_test: bool) -> Option<u32> {
-        let [(unit, sampler)] = samplers else { return None };
-        let form = combine(&self.state.texture.units.get(*unit)?.env, sampler.base, *unit, |_| false);
-        let of_texel = |half: &Half, operands: &[Operand]| {
-            let [first, ..] = half.args;
-            half.function == Function::Replace
-                && half.scale == 1.0
-                && first.source == Source::Texture(*unit)
-                && operands.contains(&first.operand)
-        };
-        let keeps = form.alpha.function == Function::Replace
-            && form.alpha.scale == 1.0
-            && matches!(form.alpha.args[0].source, Source::Previous | Source::Primary)
-            && matches!(form.alpha.args[0].operand, Operand::Color | Operand::Alpha);
-        let no_alpha = !alpha_test && self.program.uniforms.packed_or >> 24 == 0xFF;
-        let alpha = if no_alpha || of_texel(&form.alpha, &[Operand::Color, Operand::Alpha]) {
-            0
-        } else if keeps && !alpha_test {
-            texel::PRIMARY_ALPHA
-        } else {
-            return None;
-        };
-        (of_texel(&form.rgb, &[Operand::Color]) && sampler.pack()).then_some(alpha)
     }
 
     /// Whether any environment reads the primary colour: by name, or as what comes before the first unit.

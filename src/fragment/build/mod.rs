@@ -5,6 +5,7 @@
 
 mod colors;
 mod store;
+mod texturing;
 
 use super::compare::Func;
 use super::interpolate::FIRST;
@@ -29,8 +30,8 @@ struct Builder<'a> {
     options: Options,
     /// Whether the next stage that interpolates has to compute 1 / D.
     first: bool,
-    /// Whether the fragment's colour is a packed texel.
-    texel: bool,
+    /// Whether texturing leaves packed pixels.
+    packed: bool,
     program: Program,
 }
 
@@ -68,7 +69,7 @@ impl Program {
             tally: None,
         };
         let level = level.at_most_available();
-        let mut b = Builder { level, state, format, options, first: true, texel: false, program };
+        let mut b = Builder { level, state, format, options, first: true, packed: false, program };
         b.build(textures);
         b.program
     }
@@ -128,7 +129,7 @@ impl Builder<'_> {
             if direct && plain {
                 self.decide("store", Fate::Hoisted, "with the colour, since no test can kill a fragment");
             } else if writes_color {
-                self.store(plain || self.texel, blend, logic_op);
+                self.store(plain || self.packed, blend, logic_op);
             }
         } else {
             self.decide("colour", Fate::LeftOut, "no colour channel is written and no test looks at alpha");
@@ -280,9 +281,9 @@ impl Builder<'_> {
     /// The alpha test.
     fn alpha_test(&mut self, tests: &Tests) {
         if let Some(func) = tests.alpha {
-            let stage = match (self.format.float, self.texel) {
+            let stage = match (self.format.float, self.packed) {
                 (true, _) => &alpha::ALPHA_TEST_FLOAT,
-                (_, true) => &texel::ALPHA_TEST_TEXEL,
+                (_, true) => &texel::ALPHA_TEST_PACKED,
                 _ => &alpha::ALPHA_TEST,
             };
             self.push(stage, func as u32);

@@ -1,0 +1,184 @@
+//! The part of a program that textures (OpenGL 1.5, section 3.8): coordinates and sampler of each unit, then the
+//! environments. Where nothing but the alpha test comes between the last environment and the store, its colour is rounded
+//! as it is made, or never leaves the packed form in which the texel was stored.
+
+use super::super::planes::UnitSlots;
+use super::super::program::{Action, Fate};
+use super::super::{coordinates, interpolate, texel};
+use super::Builder;
+use crate::limits::MAX_TEXTURE_UNITS;
+use crate::state::texture::Env;
+use crate::texture::combine::{Function, Half, Operand, Source};
+use crate::texture::env::{EnvPlan, combine};
+use crate::texture::format::BaseFormat;
+use crate::texture::object::TextureObject;
+use crate::texture::sampler::Sampler;
+
+/// The base format of each unit's texture, as environments see it.
+type Bases = [Option<BaseFormat>; MAX_TEXTURE_UNITS];
+
+/// How the colour leaves texturing.
+#[derive(Clone, Copy)]
+enum Leaves {
+    /// As floats.
+    Floats,
+    /// As the texels that the one sampler found; the number is that of [`texel::PACK_TEXEL`].
+    Texels(u32),
+    /// Rounded by the last unit's environment; the number is that of [`texel::ENV_PACK`].
+    Packed { unit: usize, number: u32 },
+}
+
+/// What a half of an environment does, if it is one of the steps that can round at once. `operands` are those that read
+/// the half's own channels.
+fn step(half: &Half, unit: usize, operands: &[Operand]) -> Option<texel::Step> {
+    let args = half.args.get(..half.function.arity())?;
+    if half.scale != 1.0 || !args.iter().all(|a| operands.contains(&a.operand)) {
+        return None;
+    }
+    let texel = Source::Texture(unit);
+    match (half.function, args) {
+        (Function::Replace, [a]) if a.source == texel => Some(texel::Step::Texel),
+        (Function::Replace, [a]) if a.source == Source::Previous => Some(texel::Step::Stays),
+        (Function::Modulate, [a, b])
+            if [a.source, b.source] == [texel, Source::Previous]
+                || [a.source, b.source] == [Source::Previous, texel] =>
+        {
+            Some(texel::Step::Product)
+        }
+        _ => None,
+    }
+}
+
+impl Builder<'_> {
+    /// Sampling and environments of all units. `untouched`: what they give is rounded and stored, with nothing between but
+    /// perhaps the alpha test.
+    pub(super) fn texturing(
+        &mut self,
+        textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
+        untouched: bool,
+        alpha_test: bool,
+    ) {
+        let state = self.state;
+        let mut bases: Bases = [None; MAX_TEXTURE_UNITS];
+        let mut samplers: Vec<(usize, Sampler)> = Vec::new();
+        for (unit, texture) in textures.iter().enumerate() {
+            let (Some(texture), Some(unit_state)) = (texture, state.texture.units.get(unit)) else { continue };
+            let sampler = Sampler::build_with(self.level, texture, unit_state.env.lod_bias, unit, self.options.general);
+            bases[unit] = Some(sampler.base);
+            samplers.push((unit, sampler));
+        }
+        let leaves = if untouched { self.leaves(&mut samplers, alpha_test) } else { Leaves::Floats };
+        let reads_primary = match leaves {
+            Leaves::Texels(number) => number & texel::PRIMARY_ALPHA != 0,
+            _ => self.reads_primary(&bases) || self.options.general,
+        };
+        if reads_primary {
+            self.program.layout.color = Some(self.slots(4));
+            let first = self.first();
+            self.push(&interpolate::PRIMARY, first);
+            self.decide("colour", Fate::Kept, "a texture environment reads it");
+        } else {
+            self.decide("colour", Fate::LeftOut, "no texture environment reads the primary colour");
+        }
+        for (unit, sampler) in samplers {
+            self.unit(unit, sampler);
+        }
+        self.environments(bases, leaves);
+    }
+
+    /// Coordinates and sampler of a unit.
+    fn unit(&mut self, unit: usize, sampler: Sampler) {
+        let has_q = self.has_q(unit, sampler.needs.cube);
+        let count = sampler.needs.coordinates.clamp(1, 3);
+        let base = self.slots(count + usize::from(has_q));
+        let slots = UnitSlots {
+            base,
+            count,
+            has_q,
+            period: sampler.needs.period,
+            size: sampler.needs.size,
+            cube: sampler.needs.cube,
+        };
+        if let Some(place) = self.program.layout.units.get_mut(unit) {
+            *place = Some(slots);
+        }
+        let derivatives = sampler.needs.derivatives || self.options.general;
+        // A unit with q does not need 1 / D and leaves it to a later stage.
+        let first = if has_q { 0 } else { self.first() };
+        let flags = first | if derivatives { coordinates::DERIVATIVES } else { 0 };
+        self.push(&coordinates::COORDINATES, flags | (unit as u32) << 2);
+        let q = if has_q { "divided by q" } else { "q is 1" };
+        let d = if derivatives { "with derivatives" } else { "no derivatives, the level cannot differ" };
+        self.decide(format!("unit {unit} coordinates"), Fate::Kept, format!("{count} of s, t, r, {q}, {d}"));
+        self.program.actions.push(Action::Sample(self.program.samplers.len()));
+        let steps: Vec<_> = sampler.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
+        self.decide(format!("unit {unit} sampler"), Fate::Kept, steps.join(", "));
+        self.program.samplers.push(sampler);
+    }
+
+    /// The environments of all units.
+    fn environments(&mut self, bases: Bases, leaves: Leaves) {
+        let state = self.state;
+        let units: Vec<Option<(&Env, BaseFormat)>> =
+            bases.iter().enumerate().map(|(u, base)| Some((&state.texture.units.get(u)?.env, (*base)?))).collect();
+        let end = match leaves {
+            Leaves::Texels(number) => {
+                self.packed = true;
+                self.push(&texel::PACK_TEXEL, number);
+                self.decide(
+                    "environments",
+                    Fate::LeftOut,
+                    "REPLACE with the nearest 8-bit texel: it is stored as it is, without a way through floats",
+                );
+                return;
+            }
+            Leaves::Packed { unit, .. } => unit,
+            Leaves::Floats => units.len(),
+        };
+        if matches!(leaves, Leaves::Floats) || units.iter().take(end).any(Option::is_some) {
+            let environments = EnvPlan::build_until(self.level, &units, end, self.options.general);
+            let steps: Vec<_> = environments.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
+            self.decide("environments", Fate::Kept, steps.join(", "));
+            self.program.environments = Some(environments);
+            self.program.actions.push(Action::Environments);
+        }
+        if let Leaves::Packed { unit, number } = leaves {
+            self.packed = true;
+            self.push(&texel::ENV_PACK, number);
+            self.decide(
+                format!("unit {unit} environment"),
+                Fate::Hoisted,
+                "its colour is rounded as it is made: nothing that needs floats comes before the store",
+            );
+        }
+    }
+
+    /// How the colour leaves texturing where only the alpha test and the store follow. Makes the sampler give packed
+    /// texels where they are the colour.
+    fn leaves(&self, samplers: &mut [(usize, Sampler)], alpha_test: bool) -> Leaves {
+        let enabled = samplers.iter().fold(0u32, |set, (unit, _)| set | 1 << (unit & 31));
+        let one = samplers.len() == 1;
+        let Some((unit, sampler)) = samplers.last_mut() else { return Leaves::Floats };
+        let unit = *unit;
+        let Some(state) = self.state.texture.units.get(unit) else { return Leaves::Floats };
+        let form = combine(&state.env, sampler.base, unit, |t| t < 32 && enabled >> t & 1 != 0);
+        let color = step(&form.rgb, unit, &[Operand::Color]);
+        let alpha = step(&form.alpha, unit, &[Operand::Color, Operand::Alpha]);
+        let (Some(color), Some(alpha)) = (color, alpha) else { return Leaves::Floats };
+        let tested = if alpha_test { texel::TESTED } else { 0 };
+        let unseen = !alpha_test && self.program.uniforms.packed_or >> 24 == 0xFF;
+        let texels = match alpha {
+            texel::Step::Texel => Some(0),
+            _ if unseen => Some(0),
+            texel::Step::Stays => Some(texel::PRIMARY_ALPHA),
+            texel::Step::Product => None,
+        };
+        match texels {
+            Some(number) if one && color == texel::Step::Texel && sampler.pack() => Leaves::Texels(number | tested),
+            _ => {
+                let later = if one { 0 } else { texel::LATER };
+                Leaves::Packed { unit, number: texel::env_pack(unit, [color, alpha], later | tested) }
+            }
+        }
+    }
+}
