@@ -165,13 +165,14 @@ impl Near {
 /// No coordinate below [`NEAR`] times N comes here.
 const BEYOND: f32 = 4_194_304.0;
 
-/// The first pass of a wrap for NEAREST, of any coordinates: REPEAT or, if not `repeats`, CLAMP and CLAMP_TO_EDGE.
+/// A wrap for NEAREST, of any coordinates: REPEAT or, if not `repeats`, CLAMP and CLAMP_TO_EDGE. The argument is that of
+/// the stages.
 #[inline(always)]
-pub(super) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, c: u32, repeats: bool) {
+pub(super) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     if repeats {
-        wrap_nearest::<AROUND>(b, u, c, repeat);
+        wrap_nearest::<AROUND>(b, u, arg, repeat);
     } else {
-        wrap_nearest::<TO_EDGE>(b, u, c, clamp);
+        wrap_nearest::<TO_EDGE>(b, u, arg, clamp);
     }
 }
 

@@ -17,6 +17,9 @@ pub const SECOND: u32 = super::address::SECOND;
 /// In a stage's argument: the colour is not the final one but one of two levels or of several taps.
 pub const PARTIAL: u32 = 16;
 
+/// In the argument of a stage that wraps too: s is REPEAT; the next bit is that of t.
+pub const REPEATS: u32 = 32;
+
 /// 1/255, rounded once. 255 times it is exactly 1.
 pub const INV_255: f32 = 1.0 / 255.0;
 
@@ -91,72 +94,54 @@ pub(super) fn lane_offset<const DIMS: usize>(work: &Work, image: &MipLevel, i: u
     o as usize
 }
 
-/// Lanes that are fetched and blended together: while one chunk is blended the texels of the next are on their way.
-const CHUNK: usize = 16;
+/// The two neighbours of every lane in a row: texel i of lane l at 2 l, texel i+1 at 2 l + 1.
+type Pairs = [u32; 2 * LANES];
 
-/// The two neighbours of every lane of a chunk in a row: texel i of lane l at 2 l, texel i+1 at 2 l + 1.
-type Pairs = [u32; 2 * CHUNK];
-
-/// Copies the neighbours at `o` in each of the rows that a filter reads: row j, row j+1, then those of slice k+1.
+/// The texels of an image from each of the rows on that a filter reads: row j, row j+1, then those of slice k+1. All are
+/// equally long, so that an index is checked once.
 #[inline(always)]
-fn pairs<const ROWS: usize>(
-    out: &mut [Pairs; ROWS],
-    lane: usize,
-    texels: &[u32],
-    o: usize,
-    stride: usize,
-    slice: usize,
-) -> Option<()> {
+fn rows<const ROWS: usize>(image: &MipLevel) -> Option<[&[u32]; ROWS]> {
+    let (t, stride, slice) = (texels(image), image.stride as usize, image.slice as usize);
     let row = |r: usize| (r & 1) * stride + (r >> 1) * slice;
-    let t = texels.get(o..o + row(ROWS - 1) + 2)?;
+    let len = t.len().checked_sub(row(ROWS - 1))?;
+    let mut rows: [&[u32]; ROWS] = [&[]; ROWS];
     for r in 0..ROWS {
-        out[r][2 * lane] = t[row(r)];
-        out[r][2 * lane + 1] = t[row(r) + 1];
+        rows[r] = t.get(row(r)..row(r) + len)?;
+    }
+    Some(rows)
+}
+
+/// Copies the neighbours at `o` in each of the rows.
+#[inline(always)]
+fn pairs<const ROWS: usize>(out: &mut [Pairs; ROWS], lane: usize, rows: &[&[u32]; ROWS], o: usize) -> Option<()> {
+    let len = rows[0].len();
+    for r in 0..ROWS {
+        let t = rows[r].get(..len)?.get(o..o + 2)?;
+        out[r][2 * lane] = t[0];
+        out[r][2 * lane + 1] = t[1];
     }
     Some(())
 }
 
-/// Where the lanes of a pass find their texels.
-struct Source<'a> {
-    u: &'a UnitUniforms,
-    /// The image that all lanes read, and where in it.
-    same: Option<(&'a MipLevel, [u32; LANES])>,
-    pass: usize,
-}
-
-impl<'a> Source<'a> {
-    #[inline(always)]
-    fn new<const DIMS: usize>(w: &Work, u: &'a UnitUniforms, pass: usize) -> Option<Self> {
-        let same = match w.same[pass] {
-            Some(same) => {
-                let image = u.images.get(same)?;
-                Some((image, offsets::<DIMS>(w, image.origin, image.stride, image.slice)))
+/// Fetches the pairs of all lanes. An index beyond the image cannot come out of the wrap stages; were there one, the loop
+/// would end. (That it may end also keeps it a loop of plain loads: gather instructions are slower.)
+#[inline(always)]
+fn fetch<const DIMS: usize, const ROWS: usize>(out: &mut [Pairs; ROWS], w: &Work, u: &UnitUniforms, pass: usize) {
+    if let Some(same) = w.same[pass] {
+        let Some(image) = u.images.get(same) else { return };
+        let at = offsets::<DIMS>(w, image.origin, image.stride, image.slice);
+        let Some(rows) = rows(image) else { return };
+        for i in 0..LANES {
+            if pairs(out, i, &rows, at[i] as usize).is_none() {
+                break;
             }
-            None => None,
-        };
-        Some(Self { u, same, pass })
-    }
-
-    /// Fetches the pairs of the lanes from `start` on. An index beyond the image cannot come out of the wrap stages; were
-    /// there one, the loop would end. (That it may end also keeps it a loop of plain loads: gather instructions are
-    /// slower.)
-    #[inline(always)]
-    fn fetch<const DIMS: usize, const ROWS: usize>(&self, out: &mut [Pairs; ROWS], w: &Work, start: usize) {
-        if let Some((image, at)) = &self.same {
-            let (t, stride, slice) = (texels(image), image.stride as usize, image.slice as usize);
-            for i in 0..CHUNK {
-                if pairs::<ROWS>(out, i, t, at[start + i] as usize, stride, slice).is_none() {
-                    break;
-                }
-            }
-        } else {
-            for i in 0..CHUNK {
-                let Some(image) = lane_image(self.u, w, self.pass, start + i) else { break };
-                let (stride, slice) = (image.stride as usize, image.slice as usize);
-                let o = lane_offset::<DIMS>(w, image, start + i);
-                if pairs::<ROWS>(out, i, texels(image), o, stride, slice).is_none() {
-                    break;
-                }
+        }
+    } else {
+        for i in 0..LANES {
+            let Some(image) = lane_image(u, w, pass, i) else { break };
+            let Some(rows) = rows(image) else { break };
+            if pairs(out, i, &rows, lane_offset::<DIMS>(w, image, i)).is_none() {
+                break;
             }
         }
     }
@@ -218,26 +203,30 @@ fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut
     if pass == 1 && !b.work.two_levels {
         return;
     }
-    let TexBatch { texel, work, .. } = b;
-    let Some(source) = Source::new::<DIMS>(work, u, pass) else { return };
-    let mut rows = [[[0; 2 * CHUNK]; ROWS]; 2];
-    source.fetch::<DIMS, ROWS>(&mut rows[0], work, 0);
-    for chunk in 0..LANES / CHUNK {
-        let start = chunk * CHUNK;
-        if start + CHUNK < LANES {
-            source.fetch::<DIMS, ROWS>(&mut rows[(chunk + 1) & 1], work, start + CHUNK);
+    let mut rows = [[0; 2 * LANES]; ROWS];
+    fetch::<DIMS, ROWS>(&mut rows, &b.work, u, pass);
+    let TexBatch { texel, work: Work { weight: [ws, wt, wr], color, .. }, .. } = b;
+    let Some((out, k)) = destination(texel, color, u.unit, arg, INV_255) else { return };
+    for start in (0..LANES).step_by(CHUNK) {
+        let mut chunk = [[0; 2 * CHUNK]; ROWS];
+        for r in 0..ROWS {
+            if let Some(pairs) = rows[r].get(2 * start..).and_then(|pairs| pairs.first_chunk()) {
+                chunk[r] = *pairs;
+            }
         }
-        let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg, INV_255) else { return };
-        blend::<ROWS, FORMAT>(out, &rows[chunk & 1], &work.weight, start, k);
+        blend::<ROWS, FORMAT>(out, &chunk, [ws, wt, wr], start, k);
     }
 }
+
+/// Lanes that are blended at a time: as many as fit in the registers of the widest level.
+const CHUNK: usize = 16;
 
 /// Blends the rows of the lanes of a chunk.
 #[inline(always)]
 fn blend<const ROWS: usize, const FORMAT: u8>(
     out: &mut [Lanes; 4],
-    rows: &[Pairs; ROWS],
-    [ws, wt, wr]: &[Lanes; 3],
+    rows: &[[u32; 2 * CHUNK]; ROWS],
+    [ws, wt, wr]: [&Lanes; 3],
     start: usize,
     k: f32,
 ) {
@@ -282,25 +271,26 @@ fn texels_at(found: &mut [u32; LANES], image: &MipLevel, at: &[u32; LANES]) {
     }
 }
 
-/// Wraps s and t, fetches the nearest texel and leaves it packed. The argument says which of the two repeat.
+/// Wraps s and t, and fetches the nearest texel of every lane.
 #[inline(always)]
-fn texel_2d(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-    let repeats = [arg & 1 != 0, arg & 2 != 0];
-    let TexBatch { coord: [s, t, _], limit, packed, work, .. } = b;
-    if let Some(image) = work.same[0].and_then(|same| u.images.get(same))
-        && let Some(across) = Near::new(repeats[0], limit[0], image.size[0])
-        && let Some(up) = Near::new(repeats[1], limit[1], image.size[1])
+fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    let (across, up) = (arg & REPEATS != 0, arg & 2 * REPEATS != 0);
+    let pass = usize::from(arg & SECOND != 0);
+    let TexBatch { coord: [s, t, _], limit, work, .. } = b;
+    if let Some(image) = work.same[pass].and_then(|same| u.images.get(same))
+        && let Some(column) = Near::new(across, limit[0], image.size[0])
+        && let Some(row) = Near::new(up, limit[1], image.size[1])
     {
         let mut at = [0; LANES];
         for i in 0..LANES {
-            let row = image.origin.wrapping_add(up.index(t[i]).wrapping_mul(image.stride));
-            at[i] = row.wrapping_add(across.index(s[i]));
+            let start = image.origin.wrapping_add(row.index(t[i]).wrapping_mul(image.stride));
+            at[i] = start.wrapping_add(column.index(s[i]));
         }
-        return texels_at(packed, image, &at);
+        return texels_at(found, image, &at);
     }
-    far_nearest(b, u, 0, repeats[0]);
-    far_nearest(b, u, 1, repeats[1]);
-    nearest_texels::<2>(&mut b.packed, &b.work, u, 0);
+    far_nearest(b, u, arg & SECOND, across);
+    far_nearest(b, u, arg & SECOND | 1, up);
+    nearest_texels::<2>(found, &b.work, u, pass);
 }
 
 /// The first index, if each lane reads the texel after that of the lane before it: an image drawn in its own size.
@@ -318,14 +308,18 @@ fn neighbours(at: &[u32; LANES]) -> Option<usize> {
 }
 
 #[inline(always)]
-fn sample_nearest<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn sample_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.work.two_levels {
         return;
     }
-    let TexBatch { texel, work, .. } = b;
     let mut found = [0; LANES];
-    nearest_texels::<DIMS>(&mut found, work, u, pass);
+    if WRAPS {
+        wrap_nearest(&mut found, b, u, arg);
+    } else {
+        nearest_texels::<DIMS>(&mut found, &b.work, u, pass);
+    }
+    let TexBatch { texel, work, .. } = b;
     let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg, INV_255) else { return };
     for i in 0..LANES {
         put::<RGBA>(out, i, k, 255.0, |c| byte(found[i], c));
@@ -335,15 +329,15 @@ fn sample_nearest<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u3
 stage! {
     /// The nearest texel of a 1D image.
     pub fn NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_nearest::<1>(b, u, arg);
+        sample_nearest::<1, false>(b, u, arg);
     }
     /// The nearest texel of a 2D image.
     pub fn NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_nearest::<2>(b, u, arg);
+        sample_nearest::<2, false>(b, u, arg);
     }
     /// The nearest texel of a 3D image.
     pub fn NEAREST_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_nearest::<3>(b, u, arg);
+        sample_nearest::<3, false>(b, u, arg);
     }
     /// The nearest texel of a 1D image, packed.
     pub fn NEAREST_1D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
@@ -353,9 +347,15 @@ stage! {
     pub fn NEAREST_2D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
         nearest_texels::<2>(&mut b.packed, &b.work, u, 0);
     }
-    /// REPEAT, CLAMP or CLAMP_TO_EDGE in s and in t, and the nearest texel of a 2D image, packed.
-    pub fn TEXEL_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        texel_2d(b, u, arg);
+    /// REPEAT, CLAMP or CLAMP_TO_EDGE in s and in t, and the nearest texel of a 2D image.
+    pub fn WRAP_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        sample_nearest::<2, true>(b, u, arg);
+    }
+    /// The same, packed.
+    pub fn WRAP_NEAREST_2D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        let mut found = [0; LANES];
+        wrap_nearest(&mut found, b, u, arg);
+        b.packed = found;
     }
     /// The nearest texel of a 3D image, packed.
     pub fn NEAREST_3D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {

@@ -38,13 +38,34 @@ pub(super) fn span<const DIMS: usize>(d: &[Lanes; 3], u: &UnitUniforms, i: usize
     sum
 }
 
+/// Lambda of a lane.
+#[inline(always)]
+fn lambda_at<const DIMS: usize>(b: &TexBatch, u: &UnitUniforms, i: usize) -> f32 {
+    lambda(max_f32(span::<DIMS>(&b.ddx, u, i), span::<DIMS>(&b.ddy, u, i)), u)
+}
+
 #[inline(always)]
 fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
-    let TexBatch { ddx, ddy, lambda: out, .. } = b;
     for i in 0..LANES {
-        let (x, y) = (span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
-        out[i] = lambda(max_f32(x, y), u);
+        b.lambda[i] = lambda_at::<DIMS>(b, u, i);
     }
+}
+
+/// The two levels of *_MIPMAP_LINEAR by the lambda of each lane, and the weight of the second.
+#[inline(always)]
+fn linear_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    let mut weights = 0;
+    for i in 0..LANES {
+        let l = clamp_f32(b.lambda[i], 0.0, u.last);
+        let d = floor_f32(l);
+        let live = if (i as u32) < b.n as u32 { b.mask[i] } else { 0 };
+        b.work.level[0][i] = round_to_int(d) as u32;
+        b.work.level[1][i] = round_to_int(min_f32(d + 1.0, u.last)) as u32;
+        b.work.fraction[i] = l - d;
+        weights |= (l - d).to_bits() & live;
+    }
+    b.work.two_levels = weights != 0;
+    set_same(b, u, arg);
 }
 
 /// The level that all lanes read, if the squares of rho (in `rho2`) are all well within the range of one level.
@@ -195,18 +216,7 @@ stage! {
     }
     /// The two levels of *_MIPMAP_LINEAR and the weight of the second.
     pub fn LEVEL_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        let mut weights = 0;
-        for i in 0..LANES {
-            let l = clamp_f32(b.lambda[i], 0.0, u.last);
-            let d = floor_f32(l);
-            let live = if (i as u32) < b.n as u32 { b.mask[i] } else { 0 };
-            b.work.level[0][i] = round_to_int(d) as u32;
-            b.work.level[1][i] = round_to_int(min_f32(d + 1.0, u.last)) as u32;
-            b.work.fraction[i] = l - d;
-            weights |= (l - d).to_bits() & live;
-        }
-        b.work.two_levels = weights != 0;
-        set_same(b, u, arg);
+        linear_levels(b, u, arg);
     }
     /// The base level of each lane's face.
     pub fn LEVEL_BASE: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {

@@ -43,10 +43,8 @@ pub struct Sampler {
     pub base: BaseFormat,
     /// The steps that are run once for each tap of an anisotropic filter: start and end in the plan.
     pub taps: Option<(usize, usize)>,
-    /// Whether the last stage reads the nearest texel of 8-bit images, with how many coordinates.
-    nearest: Option<usize>,
-    /// For each wrap mode [`address::near`].
-    wraps: [Option<bool>; 3],
+    /// Whether the last stage reads the nearest texel of 8-bit images, with how many coordinates, and [`Builder::near`].
+    nearest: Option<(usize, Option<u32>)>,
 }
 
 /// Fills the rings of the images that sampling reads, for the wraps and the border colour of the object. To be called
@@ -159,10 +157,18 @@ impl Sampler {
         let derivatives = matches!(lod, Lod::Varies { .. });
         let base = if depth { shadow::base_format(p.depth_mode) } else { format };
 
-        let mut builder =
-            Builder { plan: Plan::new(level), wraps: p.wrap, dims, cube, compare, base, format: base, storage: None };
-        builder.storage = image.map(|image| image.format.storage);
-        builder.format = if general { BaseFormat::Rgba } else { base };
+        let mut builder = Builder {
+            plan: Plan::new(level),
+            wraps: p.wrap,
+            dims,
+            cube,
+            compare,
+            base,
+            format: if general { BaseFormat::Rgba } else { base },
+            storage: image.map(|image| image.format.storage),
+            unnormalised: uniforms.unnormalised,
+            general,
+        };
         if cube {
             builder.push(if derivatives { &cube::CUBE_FACE_DERIVATIVES } else { &cube::CUBE_FACE }, 0);
         }
@@ -223,24 +229,18 @@ impl Sampler {
             Lod::Constant { linear, .. } => !linear && !blends_levels(p.min_filter),
             Lod::Varies { mixed, linear } => !linear && !mixed && !blends_levels(p.min_filter),
         };
-        let nearest = (one_level && builder.storage == Some(Storage::Rgba8)).then_some(dims);
-        Self { plan: builder.plan, uniforms, needs, base, taps, nearest, wraps: p.wrap.map(address::near) }
+        let nearest = (one_level && builder.storage == Some(Storage::Rgba8)).then(|| (dims, builder.near()));
+        Self { plan: builder.plan, uniforms, needs, base, taps, nearest }
     }
 
     /// Makes the sampler write packed texels (`packed` of the batch) and nothing else, if each of its texels is one 8-bit
     /// texel of an image; says whether it is so.
     pub fn pack(&mut self) -> bool {
-        let Some(dims) = self.nearest else { return false };
-        let steps = &mut self.plan.steps;
-        match self.wraps {
-            [Some(s), Some(t), _] if dims == 2 && !self.uniforms.unnormalised => {
-                steps.truncate(steps.len().saturating_sub(3));
-                self.plan.push(&filter::TEXEL_2D, u32::from(s) | u32::from(t) << 1);
-            }
-            _ => {
-                steps.pop();
-                self.plan.push(filter::nearest_packed(dims), 0);
-            }
+        let Some((dims, near)) = self.nearest else { return false };
+        self.plan.steps.pop();
+        match near {
+            Some(repeats) => self.plan.push(&filter::WRAP_NEAREST_2D_PACKED, repeats),
+            None => self.plan.push(filter::nearest_packed(dims), 0),
         }
         true
     }
@@ -283,6 +283,10 @@ struct Builder {
     /// Which channels are filtered.
     format: BaseFormat,
     storage: Option<Storage>,
+    /// Coordinates count texels.
+    unnormalised: bool,
+    /// Nothing is left out.
+    general: bool,
 }
 
 impl Builder {
@@ -294,6 +298,9 @@ impl Builder {
     /// that are marked the nearest texel has all the weight.
     fn pass(&mut self, linear: bool, mixed: bool, flags: u32) {
         let linear = linear || mixed;
+        if let Some(repeats) = self.near().filter(|_| !linear) {
+            return self.push(&filter::WRAP_NEAREST_2D, flags | repeats);
+        }
         for c in 0..self.dims {
             let (two, one) = address::stages(self.wraps[c]);
             let arg = c as u32 | flags & address::SECOND;
@@ -309,6 +316,14 @@ impl Builder {
             _ => filter::nearest(self.dims),
         };
         self.push(stage, flags | shadow::mode(self.base));
+    }
+
+    /// Whether the nearest texel is found in one step, wrapping included; then which coordinates repeat, as
+    /// [`filter::REPEATS`] has it.
+    fn near(&self) -> Option<u32> {
+        let [Some(s), Some(t), _] = self.wraps.map(address::near) else { return None };
+        let known = self.dims == 2 && self.storage == Some(Storage::Rgba8) && !self.unnormalised && !self.general;
+        known.then_some((u32::from(s) | u32::from(t) << 1) * filter::REPEATS)
     }
 
     /// The factor from texels to 0..1, as bits.

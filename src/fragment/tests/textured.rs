@@ -104,31 +104,82 @@ fn textured_programs_leave_out_nothing_that_shows() {
             let modes = [GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD];
             state.texture.units[unit].env.mode = r.pick(&modes);
         }
-        let (affine, wide, seed) = (r.bool(), r.below(3) == 0, r.next());
-        let mut want = None;
-        for level in Level::available() {
-            for general in [true, false] {
-                let units = std::array::from_fn(|u| textures.get(u).and_then(Option::as_ref));
-                let options = Options { general, q_units: 0, ..Options::default() };
-                let p = Program::build(level, &state, units, &format, options);
-                let scene = scene(&mut Random::new(seed), &p.layout, affine, wide);
-                for feed in Feed::ALL {
-                    let mut f = Framebuffer::new(96, 20, format).unwrap();
-                    draw(&p, &scene, &mut f, feed, &[(0, [2, 0, 90, 20])]);
-                    let got = contents(&f);
-                    match &want {
-                        None => want = Some(got),
-                        Some(want) => assert!(
-                            *want == got,
-                            "case {case} {level:?} general {general} {feed:?} wide {wide}\n{}{:?}",
-                            p.explain(),
-                            p.stage_names()
-                        ),
-                    }
+        let units = std::array::from_fn(|u| textures.get(u).and_then(Option::as_ref));
+        same_bytes(&mut r, case, &state, &format, units);
+    }
+}
+
+/// Draws with every level, with and without what can be left out, and as every feed. Gives the names of the stages.
+fn same_bytes(
+    r: &mut Random,
+    case: usize,
+    state: &State,
+    format: &FramebufferFormat,
+    units: [Option<&TextureObject>; 8],
+) -> Vec<&'static str> {
+    let (affine, wide, seed) = (r.bool(), r.below(3) == 0, r.next());
+    let (mut want, mut names) = (None, Vec::new());
+    for level in Level::available() {
+        for general in [true, false] {
+            let options = Options { general, q_units: 0, ..Options::default() };
+            let p = Program::build(level, state, units, format, options);
+            names = p.stage_names();
+            let scene = scene(&mut Random::new(seed), &p.layout, affine, wide);
+            for feed in Feed::ALL {
+                let mut f = Framebuffer::new(96, 20, *format).unwrap();
+                draw(&p, &scene, &mut f, feed, &[(0, [2, 0, 90, 20])]);
+                let got = contents(&f);
+                match &want {
+                    None => want = Some(got),
+                    Some(want) => assert!(
+                        *want == got,
+                        "case {case} {level:?} general {general} {feed:?} wide {wide}\n{}{:?}",
+                        p.explain(),
+                        p.stage_names()
+                    ),
                 }
             }
         }
     }
+    names
+}
+
+#[test]
+fn texels_that_become_pixels_at_once_are_the_same() {
+    let mut r = Random::new(77);
+    let (mut texels, mut rounded) = (0, 0);
+    for case in 0..240 {
+        let mut state = State::default();
+        state.color_buffer.alpha_test = r.below(3) == 0;
+        (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (GL_GREATER, 0.4);
+        let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
+        let count = r.pick(&[1, 1, 2]);
+        let textures: Vec<_> = (0..count)
+            .map(|unit| {
+                let filters = [
+                    GL_NEAREST,
+                    GL_NEAREST_MIPMAP_NEAREST,
+                    GL_NEAREST_MIPMAP_LINEAR,
+                    GL_LINEAR_MIPMAP_NEAREST,
+                    GL_LINEAR_MIPMAP_LINEAR,
+                ];
+                let filters = [r.pick(&filters), r.pick(&[GL_NEAREST, GL_NEAREST, GL_LINEAR])];
+                let kind = r.pick(&[GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_INTENSITY8, GL_ALPHA8]);
+                let wrap = r.pick(&[GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT]);
+                state.texture.units[unit].env.mode = r.pick(&[GL_REPLACE, GL_REPLACE, GL_MODULATE, GL_DECAL]);
+                let size = r.pick(&[[16, 8], [64, 64], [12, 10], [1, 4]]);
+                let mut object = texture(&mut r, kind, size, filters, wrap);
+                object.parameters.lod_bias = r.pick(&[0.0, -1.5, 2.0]);
+                object.parameters.max_lod = r.pick(&[1000.0, 1.3]);
+                object
+            })
+            .collect();
+        let units = std::array::from_fn(|u| textures.get(u));
+        let names = same_bytes(&mut r, case, &state, &format, units);
+        texels += usize::from(names.contains(&"PACK_TEXEL"));
+        rounded += usize::from(names.contains(&"ENV_PACK"));
+    }
+    assert!(texels > 20 && rounded > 60, "{texels} programs store texels, {rounded} round at once");
 }
 
 #[test]
