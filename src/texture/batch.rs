@@ -77,6 +77,8 @@ pub(super) struct Work {
     pub same: [Option<usize>; 2],
     /// Whether the second pass has any weight in any live lane.
     pub two_levels: bool,
+    /// Whether the nearest level was found by lambda: rho alone may have been enough.
+    pub by_lambda: bool,
     /// How many taps of an anisotropic filter the batch needs.
     pub taps: u32,
     /// The tap at work, from 1.
@@ -92,6 +94,7 @@ impl Work {
             weight: [Z; 3],
             same: [Some(0); 2],
             two_levels: false,
+            by_lambda: false,
             level: [[0; LANES]; 2],
             face: [0; LANES],
             fraction: Z,

@@ -7,8 +7,9 @@ use super::sampler::Sampler;
 /// Beginnings of the names of stages, and the texels that such a stage reads for a lane.
 const TEXELS: &[(&str, u64)] = &[
     ("NEAREST_ONE_TAP", 0),
+    ("NEAREST_LEVEL_", 0),
     ("NEAREST_", 1),
-    ("TEXEL_", 1),
+    ("WRAP_NEAREST_", 1),
     ("LINEAR_1D", 2),
     ("BILINEAR_", 4),
     ("TRILINEAR_", 8),
@@ -48,6 +49,7 @@ impl Sampler {
             let skipped = step.arg & super::filter::SECOND != 0 && !batch.work.two_levels;
             done.texels += if skipped { 0 } else { texels * times };
             done.logarithms += cost(LOGARITHMS, step.name);
+            done.logarithms += u64::from(step.name.starts_with("NEAREST_LEVEL_") && batch.work.by_lambda);
         }
         done
     }

@@ -89,7 +89,9 @@ fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32
     for i in 0..LANES {
         rho2[i] = max_f32(span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
     }
-    match one_level(rho2, u) {
+    let level = one_level(rho2, u);
+    b.work.by_lambda = level.is_none();
+    match level {
         Some(level) => {
             b.work.level[0] = [level; LANES];
             b.work.two_levels = false;
