@@ -13,6 +13,8 @@ use crate::batch::LANES;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::vertex::chunk::Elements;
+use crate::vertex::pipe::Pipe;
 
 /// Different vertices of a chunk.
 const CHUNK_VERTICES: u32 = 4096;
@@ -36,11 +38,13 @@ pub(crate) struct VertexCache {
     chunk: u64,
     /// The chunk's indices as ids of the pool.
     ids: Vec<u32>,
+    /// The indices of its vertices, each once.
+    keys: Vec<u32>,
 }
 
 impl VertexCache {
-    /// Forgets the vertices of the last chunk.
-    fn next_chunk(&mut self) {
+    /// Turns the next indices of a list into ids of a pool that holds `held` vertices. Returns how many were taken.
+    fn next_chunk(&mut self, bytes: &[u8], size: usize, held: u32) -> usize {
         self.chunk = (self.chunk + 1) & u64::from(u32::MAX >> ID_BITS);
         if self.chunk == 0 || self.places.is_empty() {
             self.places.clear();
@@ -48,19 +52,22 @@ impl VertexCache {
             self.chunk = 1;
         }
         self.ids.resize(CHUNK_INDICES, 0);
+        self.keys.resize(CHUNK_VERTICES as usize, 0);
+        let (taken, vertices) = match size {
+            1 => self.fill(bytes.as_chunks::<1>().0, held),
+            2 => self.fill(bytes.as_chunks::<2>().0, held),
+            _ => self.fill(bytes.as_chunks::<4>().0, held),
+        };
+        self.keys.truncate(vertices);
+        taken
     }
 
-    /// Turns the next indices of a list into ids, until there are `most` vertices. Tells `fresh` of each new one. Returns
-    /// how many indices were taken.
+    /// The ids that the next indices of a list have, and the indices of new vertices. Returns how many indices were taken
+    /// and how many vertices there are.
     #[inline]
-    fn fill<const BYTES: usize>(
-        &mut self,
-        indices: &[[u8; BYTES]],
-        mut next: u32,
-        most: u32,
-        mut fresh: impl FnMut(u32),
-    ) -> usize {
-        let Some(places) = self.places.first_chunk_mut::<PLACES>() else { return 0 };
+    fn fill<const BYTES: usize>(&mut self, indices: &[[u8; BYTES]], held: u32) -> (usize, usize) {
+        let Some(places) = self.places.first_chunk_mut::<PLACES>() else { return (0, 0) };
+        let mut vertices = 0;
         for (taken, (id, bytes)) in self.ids.iter_mut().zip(indices).enumerate() {
             let mut wide = [0; 4];
             wide[..BYTES].copy_from_slice(bytes);
@@ -72,15 +79,18 @@ impl VertexCache {
                 *id = found as u32;
                 continue;
             }
-            if next >= most {
-                return taken;
-            }
-            *place = key | u64::from(next);
-            *id = next;
-            next += 1;
-            fresh(index);
+            let Some(new) = self.keys.get_mut(vertices) else { return (taken, vertices) };
+            *new = index;
+            *id = held + vertices as u32;
+            *place = key | u64::from(*id);
+            vertices += 1;
         }
-        self.ids.len().min(indices.len())
+        (self.ids.len().min(indices.len()), vertices)
+    }
+
+    /// The chunk: its indices as ids, and the places of its vertices in the arrays.
+    fn elements(&self, taken: usize) -> Elements<'_> {
+        Elements { ids: self.ids.get(..taken).unwrap_or_default(), keys: &self.keys }
     }
 }
 
@@ -166,7 +176,7 @@ impl Engine {
         self.run_vertices();
         let enabled = self.client.arrays.pointers[Attribute::Vertex as usize].enabled;
         if enabled {
-            self.pipe.batch.splat(&self.state.current, self.pipe.plan.needs);
+            self.pipe.chunk.batch.splat(&self.state.current, self.pipe.plan.needs);
             self.pipe.array_begin(mode);
         }
         enabled
@@ -208,17 +218,14 @@ impl Engine {
         let Self { pipe, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, (first, last), |place| Sources::wanted(place, needs));
-        sources.defaults(&mut pipe.batch);
+        sources.defaults(&mut pipe.chunk.batch);
         let short = sources.too_short(last);
         let cut = pipe.cut() as u32;
         let mut at = first;
         while at < end {
             let n = cut.min(end - at);
             let ids: [u32; LANES] = std::array::from_fn(|i| at.wrapping_add(i as u32));
-            sources.fill(&ids[..n as usize], &mut pipe.batch);
-            let id = pipe.array_batch();
-            pipe.array_feed_batch(id, scene);
-            pipe.array_flush();
+            pipe.array_batch(&sources, &ids[..n as usize], scene);
             if scene.is_full() {
                 queries.passed += scene.make_room(framebuffer, config.threads);
             }
@@ -249,47 +256,25 @@ impl Engine {
         } else {
             (0, u32::MAX)
         };
-        let needs = pipe.plan.needs;
+        let (needs, cut) = (pipe.plan.needs, pipe.cut());
         let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
-        sources.defaults(&mut pipe.batch);
-        let cut = pipe.cut().min(LANES);
+        sources.defaults(&mut pipe.chunk.batch);
+        let Pipe { plan, chunk, .. } = pipe;
+        let culls = scene.culls();
         let mut rest = bytes;
         while !rest.is_empty() {
-            cache.next_chunk();
-            let next = pipe.held() as u32;
-            let mut new = [0; LANES];
-            let mut n = 0;
-            let fresh = |index: u32| {
-                if let Some(place) = new.get_mut(n) {
-                    *place = index;
-                    n += 1;
-                }
-                if n >= cut {
-                    sources.fill(&new, &mut pipe.batch);
-                    pipe.batch.n = n;
-                    pipe.array_batch();
-                    n = 0;
-                }
-            };
-            let most = next + CHUNK_VERTICES;
-            let taken = match size {
-                1 => cache.fill(rest.as_chunks::<1>().0, next, most, fresh),
-                2 => cache.fill(rest.as_chunks::<2>().0, next, most, fresh),
-                _ => cache.fill(rest.as_chunks::<4>().0, next, most, fresh),
-            };
-            if n > 0 {
-                sources.fill(&new[..n], &mut pipe.batch);
-                pipe.array_batch();
-            }
+            let taken = cache.next_chunk(rest, size, chunk.held());
+            chunk.draw(plan, &sources, cache.elements(taken), cut, culls);
             rest = rest.get(taken * size..).unwrap_or_default();
             // A little at a time, so that the scene stays as small as it wants to be.
-            for ids in cache.ids.get(..taken).unwrap_or_default().chunks(FEED) {
-                pipe.array_feed(ids, scene);
+            let mut done = 0;
+            while chunk.hand_on(plan, done, FEED, scene) > done {
+                done += FEED;
                 if scene.is_full() {
                     queries.passed += scene.make_room(framebuffer, config.threads);
                 }
             }
-            pipe.array_flush();
+            chunk.clear();
         }
         pipe.array_end(scene);
         Ok(())

@@ -8,6 +8,7 @@ use super::convert::{Component, Coordinate};
 use super::pixels_arg::ArrayData;
 use crate::batch::LANES;
 use crate::enums::*;
+use crate::vertex::Source;
 use crate::vertex::batch::{Lanes, VertexBatch, needs};
 
 /// A number in memory.
@@ -88,7 +89,7 @@ fn reader(type_: GLenum, size: i32, unit: bool) -> Option<Reader> {
 
 /// One enabled array, ready to be read.
 #[derive(Clone, Copy)]
-struct Source<'a> {
+struct Array<'a> {
     bytes: &'a [u8],
     stride: usize,
     first: u32,
@@ -100,7 +101,7 @@ struct Source<'a> {
 
 /// The enabled arrays that a draw reads.
 pub(crate) struct Sources<'a> {
-    sources: [Option<Source<'a>>; ATTRIBUTES],
+    sources: [Option<Array<'a>>; ATTRIBUTES],
 }
 
 /// Whether an attribute's integers are fractions.
@@ -142,7 +143,7 @@ impl<'a> Sources<'a> {
         let mut sources = [None; ATTRIBUTES];
         for (place, (source, p)) in sources.iter_mut().zip(&arrays.pointers).enumerate() {
             if p.enabled && wanted(place) {
-                *source = reader(p.type_, p.size, is_unit(place)).map(|reader| Source {
+                *source = reader(p.type_, p.size, is_unit(place)).map(|reader| Array {
                     bytes: bytes_from(p, buffers, first, last),
                     stride: p.stride_bytes(),
                     first,
@@ -194,23 +195,6 @@ impl<'a> Sources<'a> {
         }
     }
 
-    /// Fills a batch with the elements of some indices, at most 64.
-    pub(crate) fn fill(&self, ids: &[u32], batch: &mut VertexBatch) {
-        batch.n = ids.len().min(LANES);
-        batch.w_is_one = self.sources[Attribute::Vertex as usize].is_some_and(|s| s.size < 4);
-        for (place, source) in self.sources.iter().enumerate() {
-            let Some(s) = source else { continue };
-            if place == Attribute::EdgeFlag as usize {
-                for (flag, id) in batch.edge.iter_mut().zip(ids) {
-                    let at = id.wrapping_sub(s.first) as usize * s.stride;
-                    *flag = s.bytes.get(at).is_some_and(|b| *b != 0);
-                }
-            } else if let Some(lanes) = lanes(batch, place) {
-                (s.reader)(s.bytes, s.stride, s.first, ids, lanes);
-            }
-        }
-    }
-
     /// One element of an array, where the array is enabled.
     pub(crate) fn element(&self, place: usize, id: u32) -> Option<[f32; 4]> {
         let s = self.sources.get(place)?.as_ref()?;
@@ -221,6 +205,33 @@ impl<'a> Sources<'a> {
             *to = from[0];
         }
         Some(value)
+    }
+}
+
+impl Source for Sources<'_> {
+    fn places(&self, ids: &[u32], batch: &mut VertexBatch) {
+        batch.n = ids.len().min(LANES);
+        if let Some(s) = &self.sources[Attribute::Vertex as usize] {
+            batch.w_is_one = s.size < 4;
+            (s.reader)(s.bytes, s.stride, s.first, ids, &mut batch.position);
+        }
+        if let Some(s) = &self.sources[Attribute::EdgeFlag as usize] {
+            for (flag, id) in batch.edge.iter_mut().zip(ids) {
+                let at = id.wrapping_sub(s.first) as usize * s.stride;
+                *flag = s.bytes.get(at).is_some_and(|b| *b != 0);
+            }
+        }
+    }
+
+    fn values(&self, ids: &[u32], batch: &mut VertexBatch) {
+        for (place, source) in self.sources.iter().enumerate() {
+            let Some(s) = source else { continue };
+            if place != Attribute::Vertex as usize
+                && let Some(lanes) = lanes(batch, place)
+            {
+                (s.reader)(s.bytes, s.stride, s.first, ids, lanes);
+            }
+        }
     }
 }
 

@@ -27,16 +27,72 @@ pub struct Assembler {
     count: u32,
 }
 
-/// What the assembler works with.
-pub struct Output<'a, S> {
-    /// The plan that made the vertices.
-    pub plan: &'a VertexPlan,
-    /// Cuts what leaves the view volume.
-    pub clipper: &'a mut Clipper,
-    /// Where primitives go.
-    pub sink: &'a mut S,
+/// What a primitive is, and what its vertices mean to it.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// A triangle: which corner is the provoking one, and which edges are boundaries.
+    Triangle { provoking: u8, edges: [bool; 3] },
+    /// A line; whether the stipple starts anew.
+    Line { provoking: u8, restart: bool },
+    /// A point.
+    Point,
+}
+
+/// A primitive that can be seen: it has passed outcodes and culling, by positions alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Primitive {
+    ids: [u32; 3],
+    kind: Kind,
+    /// Whether it must be clipped.
+    clip: bool,
+}
+
+impl Primitive {
+    /// The vertices that it uses; of points and lines some more than once.
+    #[inline]
+    #[must_use]
+    pub fn ids(&self) -> [u32; 3] {
+        self.ids
+    }
+
+    /// Hands the primitive on.
+    #[inline]
+    pub fn hand_on<S: Assembled>(&self, plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper, sink: &mut S) {
+        let [a, b, c] = self.ids;
+        match self.kind {
+            Kind::Triangle { provoking, edges } if self.clip => {
+                clipper.triangle(plan, pool, self.ids, usize::from(provoking), edges, sink);
+            }
+            Kind::Triangle { provoking, edges } => {
+                if let (Some(a), Some(b), Some(c)) = (pool.get(a), pool.get(b), pool.get(c)) {
+                    sink.triangle([a, b, c], usize::from(provoking), edges);
+                }
+            }
+            Kind::Line { provoking, restart } if self.clip => {
+                clipper.line(plan, pool, [a, b], usize::from(provoking), restart, sink);
+            }
+            Kind::Line { provoking, restart } => {
+                if let (Some(a), Some(b)) = (pool.get(a), pool.get(b)) {
+                    sink.line([a, b], usize::from(provoking), restart);
+                }
+            }
+            Kind::Point => {
+                if let Some(v) = pool.get(a) {
+                    sink.point(v);
+                }
+            }
+        }
+    }
+}
+
+/// Where the assembler collects what can be seen.
+#[derive(Debug)]
+pub struct Output<'a> {
+    clip_mask: u32,
+    edges: bool,
     /// What the sink [culls](Assembled::culls).
     culls: [bool; 2],
+    seen: &'a mut Vec<Primitive>,
 }
 
 /// Twice the area of a triangle in the window, in 1/65536 pixel; exact for positions within the guard band.
@@ -46,56 +102,52 @@ fn area([a, b, c]: [[i32; 2]; 3]) -> i64 {
     side(b[0], a[0]) * side(c[1], a[1]) - side(c[0], a[0]) * side(b[1], a[1])
 }
 
-impl<'a, S: Assembled> Output<'a, S> {
-    /// What works with a plan's vertices.
-    pub fn new(plan: &'a VertexPlan, clipper: &'a mut Clipper, sink: &'a mut S) -> Self {
-        let culls = sink.culls();
-        Self { plan, clipper, sink, culls }
+/// Whether all vertices are outside of one plane, or one is nowhere.
+#[inline]
+fn nowhere(all: u32, any: u32) -> bool {
+    all & (outcode::FRUSTUM | outcode::USER_ALL) != 0 || any & outcode::NAN != 0
+}
+
+impl<'a> Output<'a> {
+    /// What works with a plan's vertices for a sink that culls.
+    pub fn new(plan: &VertexPlan, culls: [bool; 2], seen: &'a mut Vec<Primitive>) -> Self {
+        let edges = plan.needs & super::batch::needs::EDGE != 0;
+        Self { clip_mask: plan.clip_mask, edges, culls, seen }
     }
 
     #[inline]
-    fn triangle(&mut self, pool: &Pool, ids: [u32; 3], provoking: usize, edges: [bool; 3]) {
+    fn triangle(&mut self, pool: &Pool, ids: [u32; 3], provoking: u8, edges: [bool; 3]) {
         let Some(places) = pool.places(ids) else { return };
         let [a, b, c] = places.map(|place| place.outcode);
-        let (all, any) = (a & b & c, a | b | c);
-        if all & (outcode::FRUSTUM | outcode::USER_ALL) != 0 || any & outcode::NAN != 0 {
+        let any = a | b | c;
+        if nowhere(a & b & c, any) {
             return;
         }
-        if any & self.plan.clip_mask != 0 {
-            self.clipper.triangle(self.plan, pool, ids, provoking, edges, self.sink);
-            return;
-        }
+        let clip = any & self.clip_mask != 0;
         let [positive, other] = self.culls;
-        if positive | other {
+        if !clip && (positive | other) {
             let counter_clockwise = area(places.map(|place| place.snapped)) > 0;
             if if counter_clockwise { positive } else { other } {
                 return;
             }
         }
-        if let (Some(a), Some(b), Some(c)) = (pool.get(ids[0]), pool.get(ids[1]), pool.get(ids[2])) {
-            self.sink.triangle([a, b, c], provoking, edges);
-        }
+        self.seen.push(Primitive { ids, kind: Kind::Triangle { provoking, edges }, clip });
     }
 
     #[inline]
-    fn line(&mut self, pool: &Pool, ids: [u32; 2], provoking: usize, restart: bool) {
-        let (Some(a), Some(b)) = (pool.get(ids[0]), pool.get(ids[1])) else { return };
-        let (all, any) = (a.head.outcode & b.head.outcode, a.head.outcode | b.head.outcode);
-        if all & (outcode::FRUSTUM | outcode::USER_ALL) != 0 || any & outcode::NAN != 0 {
-            return;
-        }
-        if any == 0 {
-            self.sink.line([a, b], provoking, restart);
-        } else {
-            self.clipper.line(self.plan, pool, ids, provoking, restart, self.sink);
+    fn line(&mut self, pool: &Pool, [a, b]: [u32; 2], provoking: u8, restart: bool) {
+        let Some([p, q, _]) = pool.places([a, b, b]) else { return };
+        let any = p.outcode | q.outcode;
+        if !nowhere(p.outcode & q.outcode, any) {
+            let kind = Kind::Line { provoking, restart };
+            self.seen.push(Primitive { ids: [a, b, b], kind, clip: any != 0 });
         }
     }
 
     #[inline]
     fn point(&mut self, pool: &Pool, id: u32) {
-        let Some(v) = pool.get(id) else { return };
-        if v.head.outcode == 0 {
-            self.sink.point(v);
+        if pool.places([id; 3]).is_some_and(|[place, ..]| place.outcode == 0) {
+            self.seen.push(Primitive { ids: [id; 3], kind: Kind::Point, clip: false });
         }
     }
 
@@ -151,12 +203,12 @@ impl Assembler {
     }
 
     /// Takes the next vertices of the primitive.
-    pub fn feed<S: Assembled>(&mut self, ids: &[u32], pool: &Pool, out: &mut Output<'_, S>) {
+    pub fn feed(&mut self, ids: &[u32], pool: &Pool, out: &mut Output<'_>) {
         let each = ids.iter().copied();
         match self.mode {
             GL_POINTS => each.for_each(|id| out.point(pool, id)),
             GL_LINES => self.groups(ids, |ids| out.line(pool, ids, 1, true)),
-            GL_TRIANGLES if out.plan.needs & super::batch::needs::EDGE == 0 => {
+            GL_TRIANGLES if !out.edges => {
                 self.groups(ids, |ids| out.triangle(pool, ids, 2, [true; 3]));
             }
             GL_TRIANGLES => self.groups(ids, |ids: [u32; 3]| {
@@ -213,7 +265,7 @@ impl Assembler {
         }
     }
 
-    fn fan<S: Assembled>(&mut self, id: u32, pool: &Pool, out: &mut Output<'_, S>) {
+    fn fan(&mut self, id: u32, pool: &Pool, out: &mut Output<'_>) {
         if self.held < 2 {
             self.hold[self.held] = id;
             self.held += 1;
@@ -224,7 +276,7 @@ impl Assembler {
     }
 
     /// A polygon's last edge is known only at its end, so the newest vertex waits: held are first, last, newest.
-    fn polygon<S: Assembled>(&mut self, id: u32, pool: &Pool, out: &mut Output<'_, S>) {
+    fn polygon(&mut self, id: u32, pool: &Pool, out: &mut Output<'_>) {
         if self.held < 3 {
             self.hold[self.held] = id;
             self.held += 1;
@@ -235,14 +287,14 @@ impl Assembler {
         self.count = 1;
     }
 
-    fn polygon_triangle<S: Assembled>(&mut self, pool: &Pool, out: &mut Output<'_, S>, last: bool) {
+    fn polygon_triangle(&mut self, pool: &Pool, out: &mut Output<'_>, last: bool) {
         let [first, a, b, _] = self.hold;
         let edges = [self.count == 0 && out.edge(pool, first), out.edge(pool, a), last && out.edge(pool, b)];
         out.triangle(pool, [first, a, b], 0, edges);
     }
 
     /// Ends the primitive: a loop is closed, a polygon gets its last triangle, the rest is dropped.
-    pub fn end<S: Assembled>(&mut self, pool: &Pool, out: &mut Output<'_, S>) {
+    pub fn end(&mut self, pool: &Pool, out: &mut Output<'_>) {
         match self.mode {
             // A loop of one vertex draws nothing, of two the same segment twice.
             GL_LINE_LOOP if self.count != 0 => out.line(pool, [self.hold[0], self.hold[1]], 1, false),

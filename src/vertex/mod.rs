@@ -1,13 +1,15 @@
 //! The vertex pipe (OpenGL 1.5, sections 2.6 to 2.14): from vertices as a program gives them to triangles, lines and
 //! points in clip and window coordinates.
 //!
-//! 64 vertices wait in a [`VertexBatch`](batch::VertexBatch); a [`VertexPlan`](plan::VertexPlan) of the stages that the
+//! 64 vertices stand in a [`VertexBatch`](batch::VertexBatch); a [`VertexPlan`](plan::VertexPlan) of the stages that the
 //! state needs takes them through transformation, lighting and texture coordinate generation; the results stand in a
 //! [`Pool`](pool::Pool), where the [`Assembler`](assemble::Assembler) joins them into primitives and
-//! [`Clipper`](clip::Clipper) cuts those that leave the view volume. What comes out goes to an [`Assembled`].
+//! [`Clipper`](clip::Clipper) cuts those that leave the view volume. What comes out goes to an [`Assembled`]. A
+//! [`Chunk`](chunk::Chunk) leads them through all that.
 
 pub mod assemble;
 pub mod batch;
+pub mod chunk;
 pub mod clip;
 pub mod lighting;
 pub mod material;
@@ -21,6 +23,7 @@ pub mod uniforms;
 
 pub use crate::raster::VertexRef;
 use crate::raster::{Scene, Shader};
+use batch::VertexBatch;
 
 /// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
 /// hit record.
@@ -55,6 +58,14 @@ impl<P: Shader> Assembled for Scene<P> {
     fn culls(&self) -> [bool; 2] {
         Scene::culls(self)
     }
+}
+
+/// Where vertices come from: arrays, or what Begin and End have collected.
+pub trait Source: Sync {
+    /// Fills the batch with positions and edge flags of some elements, at most 64.
+    fn places(&self, keys: &[u32], batch: &mut VertexBatch);
+    /// Fills the batch with all other attributes of some elements.
+    fn values(&self, keys: &[u32], batch: &mut VertexBatch);
 }
 
 #[cfg(test)]

@@ -32,8 +32,13 @@ pub struct Wants {
 /// The stages of a state and the numbers they work with.
 #[derive(Clone, Debug)]
 pub struct VertexPlan {
-    /// The stages.
+    /// The stages: those that place a vertex, then those that give it its values.
     pub plan: Plan<VertFn>,
+    /// How many stages place a vertex: position, outcode, point size. The others run only for vertices that something
+    /// visible uses.
+    pub places: usize,
+    /// Whether stages after those read positions.
+    pub values_by_position: bool,
     /// The numbers.
     pub uniforms: VertexUniforms,
     /// The attributes that the stages read, bits of [`needs`].
@@ -55,6 +60,8 @@ struct Requirements {
     point: bool,
     normal: bool,
     reflection: bool,
+    /// Object coordinates.
+    object: bool,
 }
 
 impl VertexPlan {
@@ -63,6 +70,8 @@ impl VertexPlan {
     pub fn new(level: Level) -> Self {
         Self {
             plan: Plan::new(level),
+            places: 0,
+            values_by_position: false,
             uniforms: VertexUniforms::default(),
             needs: 0,
             layout: Layout::default(),
@@ -95,18 +104,12 @@ impl VertexPlan {
                 self.unit(&mut tail, unit, *slots, state, &mut r);
             }
         }
-        self.points(&mut tail, state, &mut r);
-        let planes = state.transform.clip_plane_enabled.contains(&true);
-        self.plan.push(&transform::CLIP, 0);
-        self.plan.push(&transform::WINDOW, 0);
-        if r.eye || r.point || planes {
+        self.place(state, &r);
+        if r.eye || r.point {
             self.plan.push(&transform::EYE, 0);
         }
         if r.point {
             self.plan.push(&transform::EYE_POINT, 0);
-        }
-        for k in 0..self.uniforms.user_count {
-            self.plan.push(&transform::USER_PLANE, k as u32);
         }
         if r.normal {
             self.needs |= needs::NORMAL;
@@ -169,16 +172,27 @@ impl VertexPlan {
         }
     }
 
-    fn points(&mut self, tail: &mut Plan<VertFn>, state: &State, r: &mut Requirements) {
+    /// The stages that place a vertex; the rest of the list does not read what they leave behind, except where every
+    /// vertex of a batch runs through both.
+    fn place(&mut self, state: &State, r: &Requirements) {
         let p = &state.point;
         self.uniforms.point = [p.size, p.size_min, p.size_max];
         self.uniforms.point_attenuation = p.distance_attenuation;
-        if p.distance_attenuation == [1.0, 0.0, 0.0] {
-            tail.push(&transform::POINT_SIZE, 0);
-        } else {
-            r.point = true;
-            tail.push(&transform::POINT_DISTANCE, 0);
+        let distance = p.distance_attenuation != [1.0, 0.0, 0.0];
+        self.plan.push(&transform::CLIP, 0);
+        self.plan.push(&transform::WINDOW, 0);
+        if distance || self.uniforms.user_count > 0 {
+            self.plan.push(&transform::EYE, 0);
         }
+        for k in 0..self.uniforms.user_count {
+            self.plan.push(&transform::USER_PLANE, k as u32);
+        }
+        if distance {
+            self.plan.push(&transform::EYE_POINT, 0);
+        }
+        self.plan.push(if distance { &transform::POINT_DISTANCE } else { &transform::POINT_SIZE }, 0);
+        self.places = self.plan.steps.len();
+        self.values_by_position = r.eye || r.point || r.object;
     }
 
     /// Stages of a unit (section 2.11.4): generation of the coordinates that the layout takes, then the matrix.
@@ -216,6 +230,7 @@ impl VertexPlan {
                 GL_NORMAL_MAP if c < 3 => &tex_coord::GEN_NORMAL,
                 _ => &tex_coord::GEN_EYE,
             };
+            r.object |= generation.mode == GL_OBJECT_LINEAR;
             r.eye |= generation.mode == GL_EYE_LINEAR;
             r.normal |= generation.mode == GL_NORMAL_MAP;
             if matches!(generation.mode, GL_SPHERE_MAP | GL_REFLECTION_MAP) {

@@ -4,6 +4,7 @@
 use super::VertexRef;
 use super::batch::VertexBatch;
 use super::plan::VertexPlan;
+use crate::batch::LANES;
 use crate::fragment::planes::Layout;
 use crate::limits::MAX_CLIP_PLANES;
 use crate::raster::vertex::{Vertex, Vertices};
@@ -75,9 +76,9 @@ impl Pool {
         self.user.get(i..i + self.user_stride).unwrap_or(&[])
     }
 
-    /// Appends the vertices of a batch that the stages have run over.
+    /// Appends the places of the vertices of a batch; they have no values yet.
     pub fn append(&mut self, b: &VertexBatch) {
-        let n = b.n.min(crate::batch::LANES);
+        let n = b.n.min(LANES);
         self.vertices.head.extend((0..n).map(|i| Vertex {
             clip: [b.clip[0][i], b.clip[1][i], b.clip[2][i], b.clip[3][i]],
             window: [b.window[0][i], b.window[1][i], b.window[2][i]],
@@ -88,20 +89,23 @@ impl Pool {
         }));
         let [xs, ys] = &b.snapped;
         self.places.extend((0..n).map(|i| Place { snapped: [xs[i], ys[i]], outcode: b.outcode[i] }));
-        let stride = self.vertices.stride.min(b.out.len());
-        if stride > 0 {
-            let first = self.vertices.slots.len();
-            self.vertices.slots.resize(first + n * stride, 0.0);
-            let lanes = &b.out[..stride];
-            for (i, vertex) in self.vertices.slots[first..].chunks_exact_mut(stride).enumerate().take(n) {
-                for (slot, lanes) in vertex.iter_mut().zip(lanes) {
-                    *slot = lanes[i];
-                }
-            }
-        }
+        self.vertices.slots.resize(self.vertices.head.len() * self.vertices.stride, 0.0);
         if self.user_stride > 0 {
             for i in 0..n {
                 self.user.extend(b.user.iter().take(self.user_stride).map(|lanes| lanes[i]));
+            }
+        }
+    }
+
+    /// Gives the vertex of each lane of a batch its values.
+    pub fn fill(&mut self, b: &VertexBatch, ids: impl Iterator<Item = u32>) {
+        let stride = self.vertices.stride.min(b.out.len());
+        let lanes = &b.out[..stride];
+        for (i, id) in ids.enumerate().take(LANES) {
+            let at = id as usize * stride;
+            let Some(vertex) = self.vertices.slots.get_mut(at..at + stride) else { return };
+            for (slot, lanes) in vertex.iter_mut().zip(lanes) {
+                *slot = lanes[i];
             }
         }
     }

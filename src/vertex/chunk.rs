@@ -1,0 +1,168 @@
+//! A piece of a draw on its way from vertices to primitives (OpenGL 1.5, sections 2.6 to 2.14). Vertices are *placed*
+//! first: position, window position, outcode. The assembler joins them and keeps the primitives that can be seen; only
+//! the vertices of those get their *values* (lights, texture coordinates, colours), and then the primitives are handed
+//! on, in the order in which they were issued. What nobody sees costs its positions and no more, and since a vertex
+//! depends on nothing but itself, no bit changes.
+
+use super::assemble::{Assembler, Output, Primitive};
+use super::batch::VertexBatch;
+use super::clip::Clipper;
+use super::plan::{VertFn, VertexPlan};
+use super::pool::Pool;
+use super::{Assembled, Source};
+use crate::batch::{LANES, Step};
+use crate::enums::GLenum;
+
+/// Vertices and primitives under way.
+#[derive(Clone, Debug)]
+pub struct Chunk {
+    /// The batch that stages work on.
+    pub batch: Box<VertexBatch>,
+    pub(super) pool: Pool,
+    assembler: Assembler,
+    clipper: Clipper,
+    seen: Vec<Primitive>,
+    /// Whether each vertex of the pool is used by something seen.
+    used: Vec<bool>,
+}
+
+impl Default for Chunk {
+    fn default() -> Self {
+        Self {
+            batch: VertexBatch::new(),
+            pool: Pool::default(),
+            assembler: Assembler::default(),
+            clipper: Clipper::default(),
+            seen: Vec::new(),
+            used: Vec::new(),
+        }
+    }
+}
+
+/// Vertices of a source and how an indexed draw joins them.
+#[derive(Clone, Copy, Debug)]
+pub struct Elements<'a> {
+    /// Ids of the pool, vertex after vertex of the primitive.
+    pub ids: &'a [u32],
+    /// Places in the source of the vertices that are new in the pool.
+    pub keys: &'a [u32],
+}
+
+/// Runs some stages of a plan over a batch.
+fn run(plan: &VertexPlan, steps: &[Step<VertFn>], batch: &mut VertexBatch) {
+    batch.n = batch.n.min(LANES);
+    batch.span = batch.n.next_multiple_of(16).min(LANES);
+    for step in steps {
+        #[expect(unsafe_code, reason = "stages of a plan are compiled for a level that the processor has")]
+        unsafe {
+            (step.run)(batch, &plan.uniforms, step.arg);
+        }
+    }
+}
+
+impl Chunk {
+    /// Starts a primitive.
+    pub fn begin(&mut self, mode: GLenum) {
+        self.assembler.begin(mode);
+    }
+
+    /// Assembles vertices of the pool.
+    pub fn feed(&mut self, plan: &VertexPlan, culls: [bool; 2], ids: &[u32]) {
+        self.assembler.feed(ids, &self.pool, &mut Output::new(plan, culls, &mut self.seen));
+    }
+
+    /// Ends the primitive.
+    pub fn end(&mut self, plan: &VertexPlan, culls: [bool; 2]) {
+        self.assembler.end(&self.pool, &mut Output::new(plan, culls, &mut self.seen));
+    }
+
+    /// How many vertices the pool holds.
+    #[must_use]
+    pub fn held(&self) -> u32 {
+        self.pool.len() as u32
+    }
+
+    /// Places the vertices of the batch and appends them to the pool; the id of the first.
+    pub fn place(&mut self, plan: &VertexPlan) -> u32 {
+        let first = self.held();
+        let (places, _) = plan.plan.steps.split_at(plan.places.min(plan.plan.steps.len()));
+        run(plan, places, &mut self.batch);
+        self.pool.append(&self.batch);
+        first
+    }
+
+    /// Gives the vertices of the batch, whose first has an id in the pool, their values, if something needs them.
+    pub fn value_batch(&mut self, plan: &VertexPlan, first: u32) {
+        if self.seen.is_empty() && self.assembler.held().is_empty() {
+            return;
+        }
+        let steps = plan.plan.steps.get(plan.places..).unwrap_or_default();
+        run(plan, steps, &mut self.batch);
+        self.pool.fill(&self.batch, first..first + self.batch.n as u32);
+    }
+
+    /// Places the vertices of elements, assembles them and gives those their values that can be seen. A batch is cut after
+    /// `cut` vertices.
+    pub fn draw<S: Source>(
+        &mut self,
+        plan: &VertexPlan,
+        source: &S,
+        elements: Elements<'_>,
+        cut: usize,
+        culls: [bool; 2],
+    ) {
+        let first = self.held();
+        for keys in elements.keys.chunks(cut.clamp(1, LANES)) {
+            source.places(keys, &mut self.batch);
+            self.place(plan);
+        }
+        self.feed(plan, culls, elements.ids);
+        self.value_used(plan, source, first, elements.keys);
+    }
+
+    /// Gives those vertices of the pool from `first` on their values that something needs. `keys` are their places in
+    /// the source.
+    fn value_used<S: Source>(&mut self, plan: &VertexPlan, source: &S, first: u32, keys: &[u32]) {
+        self.used.clear();
+        self.used.resize(keys.len(), false);
+        let seen = self.seen.iter().flat_map(Primitive::ids).chain(self.assembler.held().iter().copied());
+        for id in seen {
+            if let Some(used) = self.used.get_mut(id.wrapping_sub(first) as usize) {
+                *used = true;
+            }
+        }
+        let steps = plan.plan.steps.get(plan.places..).unwrap_or_default();
+        let (mut ids, mut of, mut n) = ([0; LANES], [0; LANES], 0);
+        let last = keys.len().saturating_sub(1);
+        for (i, (key, used)) in keys.iter().zip(&self.used).enumerate() {
+            if *used {
+                (ids[n], of[n]) = (first + i as u32, *key);
+                n += 1;
+            }
+            if n == LANES || (i == last && n > 0) {
+                if plan.values_by_position {
+                    source.places(&of[..n], &mut self.batch);
+                }
+                source.values(&of[..n], &mut self.batch);
+                self.batch.n = n;
+                run(plan, steps, &mut self.batch);
+                self.pool.fill(&self.batch, ids.into_iter().take(n));
+                n = 0;
+            }
+        }
+    }
+
+    /// Hands on some of what was seen, from a primitive on; how many primitives were seen.
+    pub fn hand_on<S: Assembled>(&mut self, plan: &VertexPlan, from: usize, most: usize, sink: &mut S) -> usize {
+        for primitive in self.seen.iter().skip(from).take(most) {
+            primitive.hand_on(plan, &self.pool, &mut self.clipper, sink);
+        }
+        self.seen.len()
+    }
+
+    /// Forgets what was seen and all vertices but those that the primitive still needs.
+    pub fn clear(&mut self) {
+        self.seen.clear();
+        self.pool.keep(self.assembler.held());
+    }
+}
