@@ -3,10 +3,13 @@
 //! something asks for what was drawn. State cannot change between Begin and End, except for materials: before one
 //! changes, the vertices that wait run with the material of their time.
 
+use super::draw_source::Drawing;
 use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation};
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::vertex::lane::Order;
+use crate::vertex::store::Store;
 
 /// Whether the engine is between Begin and End.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,6 +60,8 @@ impl Engine {
         }
         if self.pipe.end() {
             self.run_vertices();
+        } else {
+            self.draw_collected();
         }
         Ok(())
     }
@@ -67,12 +72,35 @@ impl Engine {
         match self.primitive {
             Primitive::Inside => {
                 if self.pipe.vertex(position, &self.state.current) {
-                    self.run_vertices();
+                    self.batch_is_full();
                 }
             }
             Primitive::Outside => {}
             Primitive::Stale => self.vertex_after_change(position),
         }
+    }
+
+    /// Runs the full batch. Where several threads draw, the vertices of a long primitive are collected for them first.
+    fn batch_is_full(&mut self) {
+        if self.config.threads > 1 && self.scene.can_be_cut() && self.pipe.collect() {
+            self.draw_collected();
+        } else {
+            self.run_vertices();
+        }
+    }
+
+    fn draw_collected(&mut self) {
+        let Some((mode, store)) = self.pipe.take_collected() else { return };
+        self.draw_store(&store, mode);
+        self.pipe.give_back(store);
+    }
+
+    /// Draws the vertices of a store.
+    pub(super) fn draw_store(&mut self, store: &Store, mode: GLenum) {
+        let Self { pipe, lanes, scene, framebuffer, config, queries, .. } = self;
+        let (threads, passed) = (config.threads, &mut queries.passed);
+        let order = Order::Range(0..u32::try_from(store.len()).unwrap_or(u32::MAX));
+        Drawing { pipe, lanes, scene, framebuffer, threads, passed }.draw(store, mode, order);
     }
 
     #[cold]

@@ -1,125 +1,30 @@
-//! Drawing from arrays (OpenGL 1.5, section 2.8): DrawArrays, DrawElements and their sisters, ArrayElement. Whole batches are
-//! read from the arrays and transformed. Of an indexed draw a chunk of up to 4096 different vertices is transformed,
-//! each once, and then assembled by the list of indices: a mesh pays for its vertices, not for its indices.
+//! Drawing from arrays (OpenGL 1.5, section 2.8): DrawArrays, DrawElements and their sisters, ArrayElement. Here are the
+//! checks and the arrays as a source of vertices; `draw_source` draws from it.
 
 use super::arrays::{ATTRIBUTES, Arrays, Attribute};
 use super::begin_end::check_mode;
 use super::buffers::Buffers;
+use super::draw_source::Drawing;
 use super::engine::Engine;
 use super::fetch::Sources;
 use super::hooks::ArrayElement;
 use super::pixels_arg::{ArrayData, Indices, index_size};
-use crate::batch::LANES;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::vertex::chunk::Elements;
-use crate::vertex::pipe::Pipe;
+use crate::vertex::cache::IndexList;
+use crate::vertex::lane::Order;
 
-/// Different vertices of a chunk.
-const CHUNK_VERTICES: u32 = 4096;
-/// Indices of a chunk.
-const CHUNK_INDICES: usize = 6 * CHUNK_VERTICES as usize;
-/// Indices that are assembled before the scene is asked whether it is full.
-const FEED: usize = 768;
-/// Places of the cache; a vertex has one place, by its index.
-const PLACES: usize = 8192;
 /// Elements beyond the end of the array of positions that DrawArrays still draws, as zeros.
 const ZEROS: usize = 1 << 16;
-/// Bits of an id of the pool: ids are below [`CHUNK_VERTICES`] plus what a primitive holds.
-const ID_BITS: u32 = 13;
-
-/// Which vertices of a chunk have been met, by index: a direct-mapped cache. A vertex that was pushed out of its place is
-/// transformed again, which changes nothing but time.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct VertexCache {
-    /// Index, then the number of the chunk, then the vertex's id in the pool, from the highest bits down.
-    places: Vec<u64>,
-    chunk: u64,
-    /// The chunk's indices as ids of the pool.
-    ids: Vec<u32>,
-    /// The indices of its vertices, each once.
-    keys: Vec<u32>,
-}
-
-impl VertexCache {
-    /// Turns the next indices of a list into ids of a pool that holds `held` vertices. Returns how many were taken.
-    fn next_chunk(&mut self, bytes: &[u8], size: usize, held: u32) -> usize {
-        self.chunk = (self.chunk + 1) & u64::from(u32::MAX >> ID_BITS);
-        if self.chunk == 0 || self.places.is_empty() {
-            self.places.clear();
-            self.places.resize(PLACES, 0);
-            self.chunk = 1;
-        }
-        self.ids.resize(CHUNK_INDICES, 0);
-        self.keys.resize(CHUNK_VERTICES as usize, 0);
-        let (taken, vertices) = match size {
-            1 => self.fill(bytes.as_chunks::<1>().0, held),
-            2 => self.fill(bytes.as_chunks::<2>().0, held),
-            _ => self.fill(bytes.as_chunks::<4>().0, held),
-        };
-        self.keys.truncate(vertices);
-        taken
-    }
-
-    /// The ids that the next indices of a list have, and the indices of new vertices. Returns how many indices were taken
-    /// and how many vertices there are.
-    #[inline]
-    fn fill<const BYTES: usize>(&mut self, indices: &[[u8; BYTES]], held: u32) -> (usize, usize) {
-        let Some(places) = self.places.first_chunk_mut::<PLACES>() else { return (0, 0) };
-        let mut vertices = 0;
-        for (taken, (id, bytes)) in self.ids.iter_mut().zip(indices).enumerate() {
-            let mut wide = [0; 4];
-            wide[..BYTES].copy_from_slice(bytes);
-            let index = u32::from_le_bytes(if cfg!(target_endian = "big") { swapped(*bytes) } else { wide });
-            let key = u64::from(index) << 32 | self.chunk << ID_BITS;
-            let place = &mut places[index as usize % PLACES];
-            let found = *place ^ key;
-            if found < 1 << ID_BITS {
-                *id = found as u32;
-                continue;
-            }
-            let Some(new) = self.keys.get_mut(vertices) else { return (taken, vertices) };
-            *new = index;
-            *id = held + vertices as u32;
-            *place = key | u64::from(*id);
-            vertices += 1;
-        }
-        (self.ids.len().min(indices.len()), vertices)
-    }
-
-    /// The chunk: its indices as ids, and the places of its vertices in the arrays.
-    fn elements(&self, taken: usize) -> Elements<'_> {
-        Elements { ids: self.ids.get(..taken).unwrap_or_default(), keys: &self.keys }
-    }
-}
-
-/// Bytes of a number from the lowest on.
-fn swapped<const BYTES: usize>(mut bytes: [u8; BYTES]) -> [u8; 4] {
-    bytes.reverse();
-    let mut wide = [0; 4];
-    wide[..BYTES].copy_from_slice(&bytes);
-    wide
-}
-
-/// An index list as numbers.
-fn numbers(bytes: &[u8], size: usize) -> impl Iterator<Item = u32> + '_ {
-    bytes.chunks_exact(size).map(|b| match *b {
-        [a] => u32::from(a),
-        [a, b] => u32::from(u16::from_ne_bytes([a, b])),
-        [a, b, c, d] => u32::from_ne_bytes([a, b, c, d]),
-        _ => 0,
-    })
-}
-
-/// The bytes of an index list and the size of an index.
-fn index_bytes<'a>(
+/// The index list of a draw.
+fn index_list<'a>(
     arrays: &Arrays,
     buffers: &'a Buffers,
     count: i32,
     type_: GLenum,
     indices: &'a Indices<'_>,
-) -> Outcome<(&'a [u8], usize)> {
+) -> Outcome<IndexList<'a>> {
     let size = index_size(type_).ok_or_else(|| {
         invalid_enum(format!(
             "{} is not a type of indices: GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT",
@@ -130,11 +35,11 @@ fn index_bytes<'a>(
     let short =
         |there: usize| invalid_operation(format!("{count} indices take {len} bytes, but only {there} are there"));
     match indices {
-        Indices::Bytes(bytes) => Ok((bytes.get(..len).ok_or_else(|| short(bytes.len()))?, size)),
+        Indices::Bytes(bytes) => Ok(IndexList { bytes: bytes.get(..len).ok_or_else(|| short(bytes.len()))?, size }),
         Indices::Offset(offset) => {
             let Some(buffer) = buffers.get(arrays.element_buffer) else {
                 return match len {
-                    0 => Ok((&[], size)),
+                    0 => Ok(IndexList { bytes: &[], size }),
                     _ => Err(invalid_operation("no indices: give a list, or bind one to GL_ELEMENT_ARRAY_BUFFER")),
                 };
             };
@@ -142,7 +47,7 @@ fn index_bytes<'a>(
                 return Err(invalid_operation("the buffer object of indices is mapped; call glUnmapBuffer first"));
             }
             let rest = buffer.data.get(*offset..).unwrap_or_default();
-            Ok((rest.get(..len).ok_or_else(|| short(rest.len()))?, size))
+            Ok(IndexList { bytes: rest.get(..len).ok_or_else(|| short(rest.len()))?, size })
         }
     }
 }
@@ -165,7 +70,7 @@ impl Engine {
     }
 
     /// Plans for the state, and nothing waiting. False where there is nothing to draw from.
-    fn start_arrays(&mut self, mode: GLenum) -> bool {
+    fn start_arrays(&mut self) -> bool {
         for unit in 0..MAX_TEXTURE_UNITS {
             let p = &self.client.arrays.pointers[Attribute::TexCoord as usize + unit];
             if p.enabled && p.size == 4 {
@@ -176,8 +81,7 @@ impl Engine {
         self.run_vertices();
         let enabled = self.client.arrays.pointers[Attribute::Vertex as usize].enabled;
         if enabled {
-            self.pipe.chunk.batch.splat(&self.state.current, self.pipe.plan.needs);
-            self.pipe.array_begin(mode);
+            self.pipe.lane.chunk.batch.splat(&self.state.current, self.pipe.plan.needs);
         }
         enabled
     }
@@ -210,28 +114,18 @@ impl Engine {
         let Ok(first) = u32::try_from(first) else {
             return Err(invalid_value(format!("first = {first} is negative")));
         };
-        if count == 0 || !self.start_arrays(mode) {
+        if count == 0 || !self.start_arrays() {
             return Ok(());
         }
-        let end = first + there;
         let last = first + count.unsigned_abs() - 1;
-        let Self { pipe, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let Self { pipe, lanes, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, (first, last), |place| Sources::wanted(place, needs));
-        sources.defaults(&mut pipe.chunk.batch);
+        sources.defaults(&mut pipe.lane.chunk.batch);
         let short = sources.too_short(last);
-        let cut = pipe.cut() as u32;
-        let mut at = first;
-        while at < end {
-            let n = cut.min(end - at);
-            let ids: [u32; LANES] = std::array::from_fn(|i| at.wrapping_add(i as u32));
-            pipe.array_batch(&sources, &ids[..n as usize], scene);
-            if scene.is_full() {
-                queries.passed += scene.make_room(framebuffer, config.threads);
-            }
-            at += n;
-        }
-        pipe.array_end(scene);
+        let (threads, passed) = (config.threads, &mut queries.passed);
+        let drawing = Drawing { pipe, lanes, scene, framebuffer, threads, passed };
+        drawing.draw(&sources, mode, Order::Range(first..first + there));
         if let Some((place, there)) = short {
             self.note(format!(
                 "glDrawArrays asks for {count} elements from element {first} on, but the {} array has only {there} of \
@@ -244,39 +138,23 @@ impl Engine {
 
     pub(crate) fn draw_elements(&mut self, mode: GLenum, count: i32, type_: GLenum, indices: &Indices<'_>) -> Outcome {
         self.check_draw(mode, count)?;
-        index_bytes(&self.client.arrays, &self.buffers, count, type_, indices)?;
-        if count == 0 || !self.start_arrays(mode) {
+        index_list(&self.client.arrays, &self.buffers, count, type_, indices)?;
+        if count == 0 || !self.start_arrays() {
             return Ok(());
         }
-        let Self { pipe, scene, client, buffers, framebuffer, config, queries, vertex_cache: cache, .. } = self;
-        let (bytes, size) = index_bytes(&client.arrays, buffers, count, type_, indices)?;
+        let Self { pipe, lanes, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let list = index_list(&client.arrays, buffers, count, type_, indices)?;
         // Only memory of unknown length needs to know which elements are drawn.
         let range = if client.arrays.has_client_memory() {
-            numbers(bytes, size).fold((u32::MAX, 0), |(least, most), i| (least.min(i), most.max(i)))
+            list.numbers().fold((u32::MAX, 0), |(least, most), i| (least.min(i), most.max(i)))
         } else {
             (0, u32::MAX)
         };
-        let (needs, cut) = (pipe.plan.needs, pipe.cut());
+        let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
-        sources.defaults(&mut pipe.chunk.batch);
-        let Pipe { plan, chunk, .. } = pipe;
-        let culls = scene.culls();
-        let mut rest = bytes;
-        while !rest.is_empty() {
-            let taken = cache.next_chunk(rest, size, chunk.held());
-            chunk.draw(plan, &sources, cache.elements(taken), cut, culls);
-            rest = rest.get(taken * size..).unwrap_or_default();
-            // A little at a time, so that the scene stays as small as it wants to be.
-            let mut done = 0;
-            while chunk.hand_on(plan, done, FEED, scene) > done {
-                done += FEED;
-                if scene.is_full() {
-                    queries.passed += scene.make_room(framebuffer, config.threads);
-                }
-            }
-            chunk.clear();
-        }
-        pipe.array_end(scene);
+        sources.defaults(&mut pipe.lane.chunk.batch);
+        let (threads, passed) = (config.threads, &mut queries.passed);
+        Drawing { pipe, lanes, scene, framebuffer, threads, passed }.draw(&sources, mode, Order::List(list));
         Ok(())
     }
 
@@ -297,11 +175,10 @@ impl Engine {
 
     /// The indices of `DrawElements` as numbers, for a display list.
     pub(crate) fn element_indices(&mut self, count: i32, type_: GLenum, indices: &Indices<'_>) -> Outcome<Vec<u32>> {
-        let (bytes, size) = index_bytes(&self.client.arrays, &self.buffers, count, type_, indices)?;
+        let list = index_list(&self.client.arrays, &self.buffers, count, type_, indices)?;
         let mut all = Vec::new();
-        all.try_reserve_exact(bytes.len() / size)
-            .map_err(|_| crate::error::out_of_memory("no memory left for the indices"))?;
-        all.extend(numbers(bytes, size));
+        all.try_reserve_exact(list.len()).map_err(|_| crate::error::out_of_memory("no memory left for the indices"))?;
+        all.extend(list.numbers());
         Ok(all)
     }
 

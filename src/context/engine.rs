@@ -7,7 +7,6 @@ use super::attrib::SavedAttributes;
 use super::begin_end::Primitive;
 use super::buffers::Buffers;
 use super::config::Config;
-use super::draw_arrays::VertexCache;
 use super::queries::Queries;
 use super::tex_image::{Proxies, Proxy};
 use super::textures::Textures;
@@ -19,6 +18,7 @@ use crate::limits::MAX_TEXTURE_LEVELS;
 use crate::raster::Scene;
 use crate::state::pixel::PixelStores;
 use crate::state::{Dirty, State};
+use crate::vertex::lane::Lane;
 use crate::vertex::pipe::Pipe;
 use std::sync::Arc;
 
@@ -52,10 +52,10 @@ pub(crate) struct Engine {
     pub(crate) buffers: Buffers,
     /// Whether a Begin has no End yet.
     pub(crate) primitive: Primitive,
-    /// Which vertices of an indexed draw have been transformed.
-    pub(crate) vertex_cache: VertexCache,
     /// Vertices on their way to primitives.
     pub(crate) pipe: Pipe,
+    /// What threads beside this one need for large draws.
+    pub(crate) lanes: Vec<Lane>,
     /// Draws that wait for a flush.
     pub(crate) scene: Scene<Arc<Program>>,
     /// The fragment program of the present state.
@@ -102,8 +102,8 @@ impl Engine {
             proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),
             buffers: Buffers::default(),
             primitive: Primitive::default(),
-            vertex_cache: VertexCache::default(),
             pipe: Pipe::new(config.level, config.batch_cut),
+            lanes: Vec::new(),
             scene: Scene::new(config.threads, config.batch_cut).at_level(config.level),
             program: None,
             drawing: false,

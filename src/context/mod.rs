@@ -12,6 +12,7 @@ pub(crate) mod config;
 pub(crate) mod convert;
 pub(crate) mod counts;
 pub(crate) mod draw_arrays;
+pub(crate) mod draw_source;
 pub(crate) mod enable;
 pub(crate) mod engine;
 pub(crate) mod errors;

@@ -27,7 +27,7 @@ const PRIMITIVE: u64 = 4;
 
 /// Rows of a band: about 32 bands, so that workers end at about the same time, but not so low that large triangles are
 /// set up for their rows again and again.
-fn band_rows(height: u32) -> u32 {
+pub(super) fn band_rows(height: u32) -> u32 {
     (height / 32).next_power_of_two().clamp(8, 64)
 }
 
@@ -105,7 +105,7 @@ pub(super) fn flush<P: Shader>(
 }
 
 /// Files each primitive in the bands that it touches.
-fn file(geometry: &Geometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) {
+pub(super) fn file(geometry: &Geometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) {
     bins.resize_with(bins.len().max(count), Vec::new);
     bins.iter_mut().for_each(Vec::clear);
     let shift = rows.trailing_zeros();
@@ -122,7 +122,7 @@ fn file(geometry: &Geometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) 
 
 impl<P: Shader> Flush<'_, P> {
     /// Walks primitives over a band.
-    fn walk(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
+    pub fn walk(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
         let rows = band.y0 as i32..band.y0.saturating_add(band.rows) as i32;
         to.begin(band, self.cut);
         let Some(first) = self.draws.first() else { return };

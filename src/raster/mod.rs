@@ -13,6 +13,7 @@ mod masks;
 mod plane;
 mod point;
 mod polygon;
+mod rounds;
 mod scene;
 mod setup;
 mod smooth;
@@ -23,7 +24,8 @@ pub mod vertex;
 mod weights;
 
 pub use geometry::Span;
-pub use scene::{Draw, Scene, Shader};
+pub use rounds::Pieces;
+pub use scene::{Builder, Draw, Scene, Shader};
 pub use state::RasterState;
 
 /// A processed vertex as setup reads it.

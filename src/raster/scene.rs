@@ -8,14 +8,16 @@ use super::geometry::{Context, Geometry, Span};
 use super::line::Segment;
 use super::plane::Recipe;
 use super::point::Dot;
+use super::rounds::{Part, Pieces, Round};
 use super::setup::Triangle;
+use super::state::Mode;
 use super::{RasterState, VertexRef};
 use crate::batch::{LANES, Level};
 use crate::fragment::batch::{FragmentBatch, Segment as Run};
 use crate::fragment::planes::{Layout, PlanePool, Planes};
 use crate::fragment::program::Program;
 use crate::framebuffer::{Band, Framebuffer};
-use std::sync::Arc;
+use std::sync::{Arc, RwLock};
 
 /// What a draw does with its fragments.
 pub trait Shader: Send + Sync {
@@ -142,6 +144,78 @@ pub struct Scene<P> {
     bound: usize,
     bins: Vec<Vec<u32>>,
     emitters: Vec<Emitter>,
+    parts: Vec<RwLock<Part>>,
+}
+
+/// What the primitives of a draw are set up with, and where they are kept.
+#[derive(Debug)]
+pub struct Builder<'a, P> {
+    draw: &'a Draw<P>,
+    cx: Context<'a>,
+    geometry: &'a mut Geometry,
+    stipple: &'a mut u32,
+}
+
+impl<'a, P> Builder<'a, P> {
+    /// For the draw that has an index.
+    #[inline]
+    pub(super) fn new(
+        draw: &'a Draw<P>,
+        index: u32,
+        recipe: &'a Recipe,
+        geometry: &'a mut Geometry,
+        stipple: &'a mut u32,
+    ) -> Self {
+        Self { draw, cx: Context { rs: &draw.raster, recipe, draw: index }, geometry, stipple }
+    }
+
+    /// The draw.
+    #[must_use]
+    pub fn draw(&self) -> &Draw<P> {
+        self.draw
+    }
+
+    /// Files the small triangles that wait.
+    pub(super) fn settle(&mut self) {
+        self.geometry.settle(&self.cx);
+    }
+
+    /// Draws a triangle: three vertices in the order in which they were issued, which of them is the provoking vertex, and
+    /// whether the edge from each vertex to the next is a boundary edge of its polygon. Vertices must not need clipping.
+    #[inline]
+    pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
+        self.geometry.triangle(&self.cx, &Triangle { v, provoking: slots(&v, provoking), edges }, self.stipple);
+    }
+
+    /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a
+    /// strip or loop, and at each line of `GL_LINES`.
+    pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+        self.settle();
+        if restart {
+            *self.stipple = 0;
+        }
+        let provoking = slots(&v, provoking);
+        self.geometry.line(&self.cx, &Segment { v, provoking, back: false, offset: 0.0 }, self.stipple);
+    }
+
+    /// Draws a point of the vertex's point size.
+    pub fn point(&mut self, v: VertexRef<'_>) {
+        self.settle();
+        self.geometry.point(&self.cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 });
+    }
+}
+
+impl<P: Shader> Draw<P> {
+    /// Whether triangles are culled, or come to nothing, whose area in the window is positive (counter-clockwise), or is
+    /// not.
+    #[must_use]
+    pub fn culls(&self) -> [bool; 2] {
+        let rs = &self.raster;
+        let nothing = self.program.draws_nothing();
+        let faces = if rs.ccw_is_front { [rs.cull[0], rs.cull[1]] } else { [rs.cull[1], rs.cull[0]] };
+        // An area of zero is a back face (section 2.14.1), whichever way is the front.
+        [nothing || faces[0], nothing || (faces[1] && rs.cull[1])]
+    }
 }
 
 /// The slots of a vertex.
@@ -162,6 +236,7 @@ impl<P: Shader> Scene<P> {
             bound: if threads > 1 { LARGE } else { SMALL },
             bins: Vec::new(),
             emitters: Vec::new(),
+            parts: Vec::new(),
         }
     }
 
@@ -199,16 +274,17 @@ impl<P: Shader> Scene<P> {
         self.memory() > self.bound || self.draws.len() > 4096
     }
 
-    fn split(&mut self) -> Option<(Context<'_>, &mut Geometry, &mut u32)> {
+    /// Where the primitives of the current draw go, unless nothing can come of them.
+    fn builder(&mut self) -> Option<Builder<'_, P>> {
         let draw = self.draws.last().filter(|draw| !draw.program.draws_nothing())?;
-        let cx = Context { rs: &draw.raster, recipe: &self.recipe, draw: (self.draws.len() - 1) as u32 };
-        Some((cx, &mut self.geometry, &mut self.stipple))
+        let index = (self.draws.len() - 1) as u32;
+        Some(Builder::new(draw, index, &self.recipe, &mut self.geometry, &mut self.stipple))
     }
 
     /// Files the small triangles that wait.
     fn settle(&mut self) {
-        if let Some((cx, geometry, _)) = self.split() {
-            geometry.settle(&cx);
+        if let Some(mut builder) = self.builder() {
+            builder.settle();
         }
     }
 
@@ -216,48 +292,35 @@ impl<P: Shader> Scene<P> {
     /// not. Those need not be drawn at all.
     #[must_use]
     pub fn culls(&self) -> [bool; 2] {
-        let Some(draw) = self.draws.last() else { return [true; 2] };
-        let rs = &draw.raster;
-        let nothing = draw.program.draws_nothing();
-        let faces = if rs.ccw_is_front { [rs.cull[0], rs.cull[1]] } else { [rs.cull[1], rs.cull[0]] };
-        // An area of zero is a back face (section 2.14.1), whichever way is the front.
-        [nothing || faces[0], nothing || (faces[1] && rs.cull[1])]
+        self.draws.last().map_or([true; 2], |draw| draw.culls())
     }
 
-    /// Draws a triangle: three vertices in the order in which they were issued, which of them is the provoking vertex, and
-    /// whether the edge from each vertex to the next is a boundary edge of its polygon. Vertices must not need clipping.
+    /// Draws a triangle: see [`Builder::triangle`].
     #[inline]
     pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
-        if let Some((cx, geometry, stipple)) = self.split() {
-            geometry.triangle(&cx, &Triangle { v, provoking: slots(&v, provoking), edges }, stipple);
+        if let Some(mut builder) = self.builder() {
+            builder.triangle(v, provoking, edges);
         }
     }
 
-    /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a
-    /// strip or loop, and at each line of `GL_LINES`.
+    /// Draws a line: see [`Builder::line`].
     pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
-        if let Some((cx, geometry, stipple)) = self.split() {
-            geometry.settle(&cx);
-            if restart {
-                *stipple = 0;
-            }
-            let provoking = slots(&v, provoking);
-            geometry.line(&cx, &Segment { v, provoking, back: false, offset: 0.0 }, stipple);
+        if let Some(mut builder) = self.builder() {
+            builder.line(v, provoking, restart);
         }
     }
 
     /// Draws a point of the vertex's point size.
     pub fn point(&mut self, v: VertexRef<'_>) {
-        if let Some((cx, geometry, _)) = self.split() {
-            geometry.settle(&cx);
-            geometry.point(&cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 });
+        if let Some(mut builder) = self.builder() {
+            builder.point(v);
         }
     }
 
     /// Draws row runs whose fragments all have the values of one vertex: a bitmap at the raster position. No pixel may be
     /// in two runs.
     pub fn spans(&mut self, v: VertexRef<'_>, runs: impl Iterator<Item = Span>) {
-        if let Some((cx, geometry, _)) = self.split() {
+        if let Some(Builder { cx, geometry, .. }) = self.builder() {
             geometry.settle(&cx);
             geometry.runs(&cx, v, runs);
         }
@@ -276,6 +339,22 @@ impl<P: Shader> Scene<P> {
         let passed = self.draws.len().saturating_sub(1);
         self.draws.drain(..passed);
         samples
+    }
+
+    /// Whether pieces of the current draw may be set up apart from each other: filled triangles have nothing in common,
+    /// but the stipple of lines goes on from one to the next.
+    #[must_use]
+    pub fn can_be_cut(&self) -> bool {
+        self.draws.last().is_some_and(|draw| draw.raster.mode == [Mode::Fill; 2] && !draw.program.draws_nothing())
+    }
+
+    /// Draws pieces of the current draw, after all that waits, with as many threads as there are of `owns`. Returns how
+    /// many fragments passed.
+    pub fn draw_pieces<W: Pieces<P>>(&mut self, framebuffer: &mut Framebuffer, pieces: &W, owns: &mut [W::Own]) -> u64 {
+        let before = self.make_room(framebuffer, owns.len());
+        let Some(draw) = self.draws.last() else { return before };
+        let round = Round { draw, recipe: &self.recipe, cut: self.cut };
+        before + round.run(pieces, owns, framebuffer, &mut self.parts, &mut self.emitters)
     }
 
     fn rasterise(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {

@@ -6,6 +6,7 @@
 
 use super::assemble::{Assembler, Output, Primitive};
 use super::batch::VertexBatch;
+use super::cache::Elements;
 use super::clip::Clipper;
 use super::plan::{VertFn, VertexPlan};
 use super::pool::Pool;
@@ -39,15 +40,6 @@ impl Default for Chunk {
     }
 }
 
-/// Vertices of a source and how an indexed draw joins them.
-#[derive(Clone, Copy, Debug)]
-pub struct Elements<'a> {
-    /// Ids of the pool, vertex after vertex of the primitive.
-    pub ids: &'a [u32],
-    /// Places in the source of the vertices that are new in the pool.
-    pub keys: &'a [u32],
-}
-
 /// Runs some stages of a plan over a batch.
 fn run(plan: &VertexPlan, steps: &[Step<VertFn>], batch: &mut VertexBatch) {
     batch.n = batch.n.min(LANES);
@@ -69,6 +61,11 @@ impl Chunk {
     /// Assembles vertices of the pool.
     pub fn feed(&mut self, plan: &VertexPlan, culls: [bool; 2], ids: &[u32]) {
         self.assembler.feed(ids, &self.pool, &mut Output::new(plan, culls, &mut self.seen));
+    }
+
+    /// Assembles the vertices of the pool from one on: those of a batch.
+    pub fn feed_batch(&mut self, plan: &VertexPlan, culls: [bool; 2], first: u32) {
+        self.feed(plan, culls, consecutive(first, self.held()));
     }
 
     /// Ends the primitive.
@@ -103,7 +100,7 @@ impl Chunk {
 
     /// Places the vertices of elements, assembles them and gives those their values that can be seen. A batch is cut after
     /// `cut` vertices.
-    pub fn draw<S: Source>(
+    pub fn elements<S: Source>(
         &mut self,
         plan: &VertexPlan,
         source: &S,
@@ -165,4 +162,21 @@ impl Chunk {
         self.seen.clear();
         self.pool.keep(self.assembler.held());
     }
+}
+
+/// What a primitive may hold from the batch before, and a batch.
+const IDS: [u32; 4 + LANES] = {
+    let mut ids = [0; 4 + LANES];
+    let mut i = 0;
+    while i < ids.len() {
+        ids[i] = i as u32;
+        i += 1;
+    }
+    ids
+};
+
+/// The ids from one to before another.
+pub(super) fn consecutive(from: u32, until: u32) -> &'static [u32] {
+    static CONSECUTIVE: [u32; 4 + LANES] = IDS;
+    CONSECUTIVE.get(from as usize..until as usize).unwrap_or(&[])
 }

@@ -9,20 +9,23 @@
 
 pub mod assemble;
 pub mod batch;
+pub mod cache;
 pub mod chunk;
 pub mod clip;
+pub mod lane;
 pub mod lighting;
 pub mod material;
 pub mod normal;
 pub mod pipe;
 pub mod plan;
 pub mod pool;
+pub mod store;
 pub mod tex_coord;
 pub mod transform;
 pub mod uniforms;
 
 pub use crate::raster::VertexRef;
-use crate::raster::{Scene, Shader};
+use crate::raster::{Builder, Scene, Shader};
 use batch::VertexBatch;
 
 /// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
@@ -57,6 +60,24 @@ impl<P: Shader> Assembled for Scene<P> {
 
     fn culls(&self) -> [bool; 2] {
         Scene::culls(self)
+    }
+}
+
+impl<P: Shader> Assembled for Builder<'_, P> {
+    fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
+        Builder::triangle(self, corners, provoking, edges);
+    }
+
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+        Builder::line(self, ends, provoking, restart);
+    }
+
+    fn point(&mut self, vertex: VertexRef<'_>) {
+        Builder::point(self, vertex);
+    }
+
+    fn culls(&self) -> [bool; 2] {
+        self.draw().culls()
     }
 }
 

@@ -2,12 +2,14 @@
 //! primitives come out. Vertices wait until 64 are there; a new Begin/End pair with the same state joins the ones that
 //! wait, so that many small primitives fill batches as one large one does. The cut into batches changes no bit.
 
+use super::Assembled;
 use super::batch::needs;
-use super::chunk::Chunk;
+use super::chunk::{Chunk, consecutive};
+use super::lane::{Lane, WORTH_CUTTING};
 use super::plan::{VertexPlan, Wants};
-use super::{Assembled, Source};
+use super::store::Store;
 use crate::batch::{LANES, Level};
-use crate::enums::GLenum;
+use crate::enums::{GL_QUADS, GL_TRIANGLES, GLenum};
 use crate::fragment::planes::Layout;
 use crate::state::State;
 use crate::state::current::Current;
@@ -30,12 +32,16 @@ pub struct Pipe {
     /// The plan that waiting vertices run by.
     pub plan: VertexPlan,
     /// Vertices that wait, and those that the primitive still needs.
-    pub chunk: Chunk,
+    pub lane: Lane,
     cut: usize,
     spans: Vec<Span>,
     inside: bool,
+    /// Vertices before those that wait, all of one primitive: a long one is collected for several threads.
+    store: Store,
 }
 
+/// How many vertices are collected at most; a multiple of 3, 4 and 64.
+const MOST_COLLECTED: usize = 128 * 192;
 /// How many pieces of primitives may wait, so that empty Begin/End pairs do not pile up.
 const MOST_SPANS: usize = 64;
 
@@ -45,10 +51,11 @@ impl Pipe {
     pub fn new(level: Level, cut: usize) -> Self {
         Self {
             plan: VertexPlan::new(level),
-            chunk: Chunk::default(),
+            lane: Lane::default(),
             cut: cut.clamp(1, LANES),
             spans: Vec::new(),
             inside: false,
+            store: Store::default(),
         }
     }
 
@@ -68,14 +75,14 @@ impl Pipe {
     pub fn rebuild(&mut self, state: &State, layout: &Layout, wants: Wants) {
         if self.inside {
             // A material, or a q that is not 1, between Begin and End: vertices that a strip holds stay as they are.
-            self.chunk.pool.lay_out(&self.plan.layout, layout);
+            self.lane.chunk.pool.lay_out(&self.plan.layout, layout);
             self.plan.build(state, layout, wants);
         } else {
             self.plan.build(state, layout, wants);
-            self.chunk.pool.reset(&self.plan);
+            self.lane.chunk.pool.reset(&self.plan);
         }
         if self.plan.needs & needs::EDGE == 0 {
-            self.chunk.batch.edge = [true; LANES];
+            self.lane.chunk.batch.edge = [true; LANES];
         }
     }
 
@@ -83,31 +90,102 @@ impl Pipe {
     #[inline]
     pub fn begin(&mut self, mode: GLenum) {
         self.inside = true;
-        self.spans.push(Span { mode, begins: true, ends: false, until: self.chunk.batch.n as u32 });
+        self.spans.push(Span { mode, begins: true, ends: false, until: self.lane.chunk.batch.n as u32 });
     }
 
     /// Appends a vertex; true says that the batch is full and wants to [run](Self::run).
     #[inline]
     pub fn vertex(&mut self, position: [f32; 4], current: &Current) -> bool {
-        self.chunk.batch.push(position, current, self.plan.needs);
-        self.chunk.batch.n >= self.cut
+        self.lane.chunk.batch.push(position, current, self.plan.needs);
+        self.lane.chunk.batch.n >= self.cut
     }
 
     /// Ends the primitive; true says that enough waits to [run](Self::run).
     #[inline]
     pub fn end(&mut self) -> bool {
         self.inside = false;
-        let until = self.chunk.batch.n as u32;
+        let until = self.lane.chunk.batch.n as u32;
         if let Some(span) = self.spans.last_mut() {
             span.until = until;
             span.ends = true;
         }
-        self.spans.len() >= MOST_SPANS || self.chunk.batch.n >= self.cut
+        self.spans.len() >= MOST_SPANS || self.lane.chunk.batch.n >= self.cut
+    }
+
+    /// Collects the full batch instead of running it: vertices of one long primitive, of which any three or four in a row
+    /// are a triangle or a quadrilateral. False where they are not.
+    pub fn collect(&mut self) -> bool {
+        let [Span { mode: GL_TRIANGLES | GL_QUADS, begins: true, ends: false, .. }] = self.spans.as_slice() else {
+            return false;
+        };
+        let Self { plan, lane: Lane { chunk: Chunk { batch, .. }, .. }, store, .. } = self;
+        if batch.n != LANES || plan.needs & needs::EDGE != 0 {
+            return false;
+        }
+        if store.is_empty() {
+            store.clear(plan.needs);
+        }
+        let collected = store.push(batch);
+        if collected {
+            batch.clear();
+        }
+        collected
+    }
+
+    /// What was collected, if it is enough to be drawn by itself: whole triangles and quadrilaterals. The primitive goes
+    /// on as if it had just begun, unless it has ended.
+    pub fn take_collected(&mut self) -> Option<(GLenum, Store)> {
+        let Span { mode, ends, .. } = *self.spans.first()?;
+        if self.store.len() < if ends { WORTH_CUTTING } else { MOST_COLLECTED } {
+            return None;
+        }
+        if ends {
+            let batch = &mut self.lane.chunk.batch;
+            if batch.n > 0 && !self.store.push(batch) {
+                return None;
+            }
+            batch.clear();
+            self.spans.clear();
+        }
+        Some((mode, std::mem::take(&mut self.store)))
+    }
+
+    /// Gives the memory of what was collected back.
+    pub fn give_back(&mut self, mut store: Store) {
+        store.clear(0);
+        self.store = store;
     }
 
     /// Runs the waiting vertices and hands on the primitives.
     pub fn run<S: Assembled>(&mut self, sink: &mut S) {
-        let Self { plan, chunk, spans, .. } = self;
+        if !self.store.is_empty() {
+            self.run_collected(sink);
+        }
+        self.run_batch(sink);
+    }
+
+    /// Runs what was collected; the batch that waits stays.
+    fn run_collected<S: Assembled>(&mut self, sink: &mut S) {
+        let (spans, inside) = (self.spans.clone(), self.inside);
+        let store = std::mem::take(&mut self.store);
+        let waiting = self.lane.chunk.batch.clone();
+        for block in 0..store.len().div_ceil(LANES) {
+            store.load(block, &mut self.lane.chunk.batch);
+            let mode = spans.first().map_or(GL_TRIANGLES, |span| span.mode);
+            self.spans = vec![Span { mode, begins: block == 0, ends: false, until: 0 }];
+            self.inside = true;
+            self.run_batch(sink);
+        }
+        self.lane.chunk.batch = waiting;
+        (self.spans, self.inside) = (spans, inside);
+        if let Some(span) = self.spans.first_mut() {
+            span.begins = false;
+        }
+        self.give_back(store);
+    }
+
+    fn run_batch<S: Assembled>(&mut self, sink: &mut S) {
+        let Self { plan, lane: Lane { chunk, .. }, spans, .. } = self;
         let Some(last) = spans.last_mut() else { return };
         if self.inside {
             last.until = chunk.batch.n as u32;
@@ -136,48 +214,4 @@ impl Pipe {
             spans.push(Span { mode, begins: false, ends: false, until: 0 });
         }
     }
-
-    /// Starts a primitive whose vertices come from a source. Waiting vertices must have been run.
-    pub fn array_begin(&mut self, mode: GLenum) {
-        self.chunk.begin(mode);
-        self.chunk.clear();
-        self.chunk.batch.clear();
-    }
-
-    /// Draws the vertices of a source that have these places, at most a batch.
-    pub fn array_batch<S: Assembled>(&mut self, source: &impl Source, keys: &[u32], sink: &mut S) {
-        let Self { plan, chunk, .. } = self;
-        source.places(keys, &mut chunk.batch);
-        source.values(keys, &mut chunk.batch);
-        let first = chunk.place(plan);
-        chunk.feed(plan, sink.culls(), consecutive(first, chunk.held()));
-        chunk.value_batch(plan, first);
-        chunk.hand_on(plan, 0, usize::MAX, sink);
-        chunk.clear();
-    }
-
-    /// Ends the primitive.
-    pub fn array_end<S: Assembled>(&mut self, sink: &mut S) {
-        self.chunk.end(&self.plan, sink.culls());
-        self.chunk.hand_on(&self.plan, 0, usize::MAX, sink);
-        self.chunk.begin(0);
-        self.chunk.clear();
-    }
-}
-
-/// What a primitive may hold from the batch before, and a batch.
-const IDS: [u32; 4 + LANES] = {
-    let mut ids = [0; 4 + LANES];
-    let mut i = 0;
-    while i < ids.len() {
-        ids[i] = i as u32;
-        i += 1;
-    }
-    ids
-};
-
-/// The ids from one to before another.
-fn consecutive(from: u32, until: u32) -> &'static [u32] {
-    static CONSECUTIVE: [u32; 4 + LANES] = IDS;
-    CONSECUTIVE.get(from as usize..until as usize).unwrap_or(&[])
 }

@@ -1,9 +1,10 @@
 //! How long a vertex takes: `cargo test --release vertex::tests::speed -- --ignored --nocapture`.
 
 use super::*;
+use crate::enums::*;
 use crate::vertex::Source;
 use crate::vertex::batch::VertexBatch;
-use crate::enums::*;
+use crate::vertex::lane::{Order, SourceDraw};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -25,8 +26,8 @@ impl Assembled for Count {
 struct Full;
 
 impl Source for Full {
-    fn places(&self, _: &[u32], batch: &mut VertexBatch) {
-        batch.n = 64;
+    fn places(&self, keys: &[u32], batch: &mut VertexBatch) {
+        batch.n = keys.len();
     }
     fn values(&self, _: &[u32], _: &mut VertexBatch) {}
 }
@@ -52,14 +53,11 @@ fn measure(name: &str, state: &State, layout: &Layout) {
             pipe.run(&mut sink);
             best[0] = best[0].min(start.elapsed().as_secs_f64());
             let start = Instant::now();
-            pipe.array_begin(GL_TRIANGLES);
-            for _ in 0..vertices / 64 {
-                pipe.array_batch(&Full, &[0; 64], &mut sink);
-            }
-            pipe.array_end(&mut sink);
+            let draw = SourceDraw { plan: &pipe.plan, source: &Full, mode: GL_TRIANGLES, cut: 64 };
+            pipe.lane.draw(&draw, Order::Range(0..vertices), &mut sink, |_| {});
             best[1] = best[1].min(start.elapsed().as_secs_f64());
         }
-        let ns = best.map(|t| t * 1e9 / vertices as f64);
+        let ns = best.map(|t| t * 1e9 / f64::from(vertices));
         println!("{name:24} {level:?}: begin/end {:.1}, batches {:.1} ns/vertex", ns[0], ns[1]);
     }
 }

@@ -1,0 +1,207 @@
+//! A draw from a source of vertices (OpenGL 1.5, section 2.8): consecutive ones, or those that a list of indices names. A
+//! [`Lane`] is what one thread needs for it. A large draw is cut into [`Parts`], which lanes work on side by side: a part
+//! of a strip begins with the two vertices that its first triangle shares with the part before, all others have no vertex
+//! in common that matters.
+
+use super::cache::{IndexList, VertexCache};
+use super::chunk::Chunk;
+use super::plan::VertexPlan;
+use super::{Assembled, Source};
+use crate::batch::LANES;
+use crate::enums::*;
+use crate::raster::{Builder, Pieces, Shader};
+use std::ops::Range;
+
+/// Primitives that are handed on before the sink is asked whether it is full.
+const FEED: usize = 256;
+/// Vertices of a part at most: a multiple of 3, 4 and 64.
+const MOST: usize = 64 * 192;
+/// Vertices of a part at least.
+const LEAST: usize = 8 * 192;
+/// Vertices from which on a draw is worth cutting: starting a thread takes about as long as drawing a thousand triangles
+/// that are all culled.
+pub const WORTH_CUTTING: usize = 12_288;
+
+/// Which vertices are drawn, in which order.
+#[derive(Clone, Debug)]
+pub enum Order<'a> {
+    /// One after the other.
+    Range(Range<u32>),
+    /// Those of a list.
+    List(IndexList<'a>),
+}
+
+impl Order<'_> {
+    /// How many vertices there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Range(range) => range.len(),
+            Self::List(list) => list.len(),
+        }
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    fn part(&self, from: usize, until: usize) -> Self {
+        match self {
+            Self::Range(range) => {
+                let at = |i: usize| range.start.saturating_add(i as u32).min(range.end);
+                Self::Range(at(from)..at(until))
+            }
+            Self::List(list) => Self::List(list.part(from, until)),
+        }
+    }
+}
+
+/// A draw.
+#[derive(Debug)]
+pub struct SourceDraw<'a, S> {
+    /// The stages.
+    pub plan: &'a VertexPlan,
+    /// The vertices.
+    pub source: &'a S,
+    /// What they make.
+    pub mode: GLenum,
+    /// Vertices of a batch.
+    pub cut: usize,
+}
+
+/// What a thread needs to draw from a source.
+#[derive(Clone, Debug, Default)]
+pub struct Lane {
+    /// Vertices and primitives under way.
+    pub chunk: Chunk,
+    cache: VertexCache,
+}
+
+impl Lane {
+    /// Takes over from another lane what is the same for all vertices of a draw.
+    pub fn prepare(&mut self, plan: &VertexPlan, like: &Self) {
+        self.chunk.pool.reset(plan);
+        self.chunk.batch.clone_from(&like.chunk.batch);
+    }
+
+    /// Draws. Every now and then `room` may make room in the sink.
+    pub fn draw<T: Assembled, S: Source>(
+        &mut self,
+        draw: &SourceDraw<'_, S>,
+        order: Order<'_>,
+        sink: &mut T,
+        mut room: impl FnMut(&mut T),
+    ) {
+        let culls = sink.culls();
+        self.chunk.begin(draw.mode);
+        self.chunk.clear();
+        match order {
+            Order::Range(range) => self.range(draw, range, culls, sink, &mut room),
+            Order::List(list) => self.list(draw, list, culls, sink, &mut room),
+        }
+        self.chunk.end(draw.plan, culls);
+        self.chunk.hand_on(draw.plan, 0, usize::MAX, sink);
+        self.chunk.begin(0);
+        self.chunk.clear();
+        self.chunk.batch.clear();
+    }
+
+    fn range<T: Assembled, S: Source>(
+        &mut self,
+        draw: &SourceDraw<'_, S>,
+        range: Range<u32>,
+        culls: [bool; 2],
+        sink: &mut T,
+        room: &mut impl FnMut(&mut T),
+    ) {
+        let Self { chunk, .. } = self;
+        let cut = draw.cut.clamp(1, LANES) as u32;
+        let mut at = range.start;
+        while at < range.end {
+            // Batches end at multiples of 64 vertices, where a source may have its own batches end.
+            let n = cut.min(LANES as u32 - at % LANES as u32).min(range.end - at);
+            let keys: [u32; LANES] = std::array::from_fn(|i| at.wrapping_add(i as u32));
+            let keys = keys.get(..n as usize).unwrap_or_default();
+            draw.source.places(keys, &mut chunk.batch);
+            draw.source.values(keys, &mut chunk.batch);
+            let first = chunk.place(draw.plan);
+            chunk.feed_batch(draw.plan, culls, first);
+            chunk.value_batch(draw.plan, first);
+            chunk.hand_on(draw.plan, 0, usize::MAX, sink);
+            chunk.clear();
+            room(sink);
+            at += n;
+        }
+    }
+
+    fn list<T: Assembled, S: Source>(
+        &mut self,
+        draw: &SourceDraw<'_, S>,
+        mut list: IndexList<'_>,
+        culls: [bool; 2],
+        sink: &mut T,
+        room: &mut impl FnMut(&mut T),
+    ) {
+        let Self { chunk, cache } = self;
+        while !list.is_empty() {
+            let taken = cache.next_chunk(list, chunk.held());
+            chunk.elements(draw.plan, draw.source, cache.elements(), draw.cut, culls);
+            list = list.part(taken, usize::MAX);
+            // A little at a time, so that the sink stays as small as it wants to be.
+            let mut done = 0;
+            while chunk.hand_on(draw.plan, done, FEED, sink) > done {
+                done += FEED;
+                room(sink);
+            }
+            chunk.clear();
+        }
+    }
+}
+
+/// A draw in parts, for several lanes.
+#[derive(Debug)]
+pub struct Parts<'a, S> {
+    draw: SourceDraw<'a, S>,
+    order: Order<'a>,
+    /// Vertices of a part.
+    each: usize,
+    /// How many vertices of the next part each part has too.
+    shared: usize,
+}
+
+impl<'a, S: Source> Parts<'a, S> {
+    /// Cuts a draw for a number of threads, if that is possible.
+    #[must_use]
+    pub fn new(
+        draw: SourceDraw<'a, S>,
+        order: Order<'a>,
+        threads: usize,
+    ) -> Result<Self, (SourceDraw<'a, S>, Order<'a>)> {
+        let shared = match draw.mode {
+            GL_TRIANGLES | GL_QUADS => 0,
+            GL_TRIANGLE_STRIP | GL_QUAD_STRIP => 2,
+            _ => return Err((draw, order)),
+        };
+        if threads < 2 || order.len() < WORTH_CUTTING {
+            return Err((draw, order));
+        }
+        let each = (order.len() / (4 * threads)).clamp(LEAST, MOST).next_multiple_of(192);
+        Ok(Self { draw, order, each, shared })
+    }
+}
+
+impl<S: Source, P: Shader> Pieces<P> for Parts<'_, S> {
+    type Own = Lane;
+
+    fn count(&self) -> usize {
+        self.order.len().saturating_sub(self.shared).div_ceil(self.each)
+    }
+
+    fn set_up(&self, piece: usize, lane: &mut Lane, to: &mut Builder<'_, P>) {
+        let from = piece * self.each;
+        let order = self.order.part(from, from + self.each + self.shared);
+        lane.draw(&self.draw, order, to, |_| {});
+    }
+}

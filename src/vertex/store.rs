@@ -1,0 +1,134 @@
+//! Vertices kept as lanes: blocks of 64, one array a number, only the attributes that somebody needs. A long Begin/End is
+//! collected in a store, so that several threads can share it, and a display list keeps one for each of its primitives.
+//! To fill a batch is to copy arrays.
+
+use super::Source;
+use super::batch::{Lanes, VertexBatch, needs};
+use crate::batch::LANES;
+
+/// Numbers of a position.
+const POSITION: usize = 4;
+
+/// A store of vertices.
+#[derive(Clone, Debug, Default)]
+pub struct Store {
+    /// Which attributes are kept besides the position, bits of [`needs`].
+    kept: u32,
+    /// Arrays of a block.
+    per_block: usize,
+    lanes: Vec<Lanes>,
+    count: usize,
+    /// Whether w is 1 in every position.
+    w_is_one: bool,
+}
+
+/// The attributes of a batch that are kept, without the position; edge flags are not among them.
+fn attributes(batch: &mut VertexBatch, kept: u32) -> impl Iterator<Item = &mut Lanes> {
+    let VertexBatch { normal, color, secondary, fog, tex, .. } = batch;
+    let on = move |bit: u32| kept & bit != 0;
+    let tex = tex.iter_mut().enumerate().filter(move |(unit, _)| on(needs::TEX << unit)).flat_map(|(_, t)| t);
+    let normal = normal.iter_mut().filter(move |_| on(needs::NORMAL));
+    let color = color.iter_mut().filter(move |_| on(needs::COLOR));
+    let secondary = secondary.iter_mut().filter(move |_| on(needs::SECONDARY));
+    let fog = std::iter::once(fog).filter(move |_| on(needs::FOG));
+    normal.chain(color).chain(secondary).chain(fog).chain(tex)
+}
+
+/// How many arrays the attributes take.
+fn arrays(kept: u32) -> usize {
+    let sizes = [(needs::NORMAL, 3), (needs::COLOR, 4), (needs::SECONDARY, 3), (needs::FOG, 1)];
+    let units = (kept & needs::TEX_ALL).count_ones() as usize;
+    sizes.iter().filter(|(bit, _)| kept & bit != 0).map(|(_, n)| n).sum::<usize>() + 4 * units
+}
+
+impl Store {
+    /// Forgets all vertices and says which attributes the next ones have.
+    pub fn clear(&mut self, kept: u32) {
+        self.lanes.clear();
+        (self.kept, self.per_block, self.count, self.w_is_one) = (kept, POSITION + arrays(kept), 0, true);
+    }
+
+    /// How many vertices there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// Which attributes are kept.
+    #[must_use]
+    pub fn kept(&self) -> u32 {
+        self.kept
+    }
+
+    /// Appends the vertices of a batch; all batches but the last must be full. False where there is no memory.
+    pub fn push(&mut self, batch: &mut VertexBatch) -> bool {
+        if self.lanes.try_reserve(self.per_block).is_err() {
+            return false;
+        }
+        self.lanes.extend_from_slice(&batch.position);
+        self.lanes.extend(attributes(batch, self.kept).map(|lanes| *lanes));
+        self.count += batch.n.min(LANES);
+        self.w_is_one &= batch.w_is_one;
+        true
+    }
+
+    /// A batch of the store: its number of vertices.
+    pub fn load(&self, block: usize, batch: &mut VertexBatch) {
+        batch.n = self.count.saturating_sub(block * LANES).min(LANES);
+        batch.w_is_one = self.w_is_one;
+        let Some(lanes) = self.block(block) else { return };
+        let (position, rest) = lanes.split_at(POSITION);
+        batch.position.copy_from_slice(position);
+        for (to, from) in attributes(batch, self.kept).zip(rest) {
+            *to = *from;
+        }
+    }
+
+    fn block(&self, block: usize) -> Option<&[Lanes]> {
+        self.lanes.get(block * self.per_block..(block + 1) * self.per_block)
+    }
+
+    /// Copies some numbers of some vertices: those of one block at once, where they are all of it.
+    fn copy<'a>(&self, keys: &[u32], skip: usize, to: impl Iterator<Item = &'a mut Lanes>) {
+        let Some(first) = keys.first() else { return };
+        let whole = (first % LANES as u32 == 0).then(|| self.block(*first as usize / LANES)).flatten();
+        match whole {
+            Some(block) if consecutive(keys) => {
+                for (to, from) in to.zip(block.iter().skip(skip)) {
+                    *to = *from;
+                }
+            }
+            _ => {
+                for (k, to) in to.enumerate() {
+                    for (to, key) in to.iter_mut().zip(keys) {
+                        let block = self.block(*key as usize / LANES);
+                        *to = block.and_then(|b| b.get(skip + k)).map_or(0.0, |lanes| lanes[*key as usize % LANES]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Whether each number is one more than that before it.
+fn consecutive(keys: &[u32]) -> bool {
+    keys.windows(2).all(|pair| matches!(pair, [a, b] if a.wrapping_add(1) == *b))
+}
+
+impl Source for Store {
+    fn places(&self, keys: &[u32], batch: &mut VertexBatch) {
+        batch.n = keys.len().min(LANES);
+        batch.w_is_one = self.w_is_one;
+        self.copy(keys, 0, batch.position.iter_mut());
+    }
+
+    fn values(&self, keys: &[u32], batch: &mut VertexBatch) {
+        self.copy(keys, POSITION, attributes(batch, self.kept));
+    }
+}
