@@ -3,13 +3,10 @@
 //! something asks for what was drawn. State cannot change between Begin and End, except for materials: before one
 //! changes, the vertices that wait run with the material of their time.
 
-use super::draw_source::Drawing;
 use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation};
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::vertex::lane::Order;
-use crate::vertex::store::Store;
 
 /// Whether the engine is between Begin and End.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -91,16 +88,8 @@ impl Engine {
 
     fn draw_collected(&mut self) {
         let Some((mode, store)) = self.pipe.take_collected() else { return };
-        self.draw_store(&store, mode);
+        self.draw_source(&store, mode, store.order());
         self.pipe.give_back(store);
-    }
-
-    /// Draws the vertices of a store.
-    pub(super) fn draw_store(&mut self, store: &Store, mode: GLenum) {
-        let Self { pipe, lanes, scene, framebuffer, config, queries, .. } = self;
-        let (threads, passed) = (config.threads, &mut queries.passed);
-        let order = Order::Range(0..u32::try_from(store.len()).unwrap_or(u32::MAX));
-        Drawing { pipe, lanes, scene, framebuffer, threads, passed }.draw(store, mode, order);
     }
 
     #[cold]

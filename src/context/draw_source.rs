@@ -1,6 +1,7 @@
 //! From a source of vertices to the scene (OpenGL 1.5, section 2.8): what DrawArrays, DrawElements, long Begin/End pairs and
 //! display lists have in common. A draw that is worth it is cut into parts for several threads.
 
+use super::engine::Engine;
 use crate::enums::GLenum;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
@@ -44,5 +45,14 @@ impl Drawing<'_> {
                 }
             }),
         }
+    }
+}
+
+impl Engine {
+    /// Draws vertices that are the engine's own. What they have in common must be in the pipe's batch already.
+    pub(super) fn draw_source<S: Source>(&mut self, source: &S, mode: GLenum, order: Order<'_>) {
+        let Self { pipe, lanes, scene, framebuffer, config, queries, .. } = self;
+        let (threads, passed) = (config.threads, &mut queries.passed);
+        Drawing { pipe, lanes, scene, framebuffer, threads, passed }.draw(source, mode, order);
     }
 }

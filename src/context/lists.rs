@@ -3,6 +3,7 @@
 //! ends there as the specification says.
 
 use super::recorder::{Command, List, OpenList};
+use super::run::Run;
 use super::{Context, counts};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
@@ -116,7 +117,7 @@ impl Context {
         };
         self.hooks.set_recording(false);
         self.recorder.names.insert(open.name, open.name);
-        self.recorder.lists.insert(open.name, open.commands.into());
+        self.recorder.lists.insert(open.name, Run::compile(open.commands).into());
         Ok(())
     }
 

@@ -34,6 +34,7 @@ pub(crate) mod pixels_arg;
 pub(crate) mod queries;
 pub(crate) mod raster_state;
 pub(crate) mod recorder;
+pub(crate) mod run;
 pub mod table;
 pub(crate) mod tex_image;
 pub(crate) mod tex_query;

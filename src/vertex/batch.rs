@@ -190,6 +190,23 @@ impl VertexBatch {
         }
     }
 
+    /// The attributes of a lane, as far as they have been pushed.
+    #[must_use]
+    pub fn current(&self, lane: usize) -> Current {
+        fn at<const N: usize>(lanes: &[Lanes; N], lane: usize) -> [f32; N] {
+            lanes.each_ref().map(|lanes| lanes.get(lane).copied().unwrap_or(0.0))
+        }
+        let [r, g, b] = at(&self.secondary, lane);
+        Current {
+            color: at(&self.color, lane),
+            secondary_color: [r, g, b, 1.0],
+            normal: at(&self.normal, lane),
+            tex_coord: self.tex.each_ref().map(|tex| at(tex, lane)),
+            fog_coord: at(&[self.fog], lane)[0],
+            ..Current::default()
+        }
+    }
+
     fn push_rare(&mut self, i: usize, current: &Current) {
         for (lanes, value) in self.secondary.iter_mut().zip(current.secondary_color) {
             lanes[i] = value;

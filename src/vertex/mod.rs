@@ -23,6 +23,7 @@ pub mod store;
 pub mod tex_coord;
 pub mod transform;
 pub mod uniforms;
+pub mod weld;
 
 pub use crate::raster::VertexRef;
 use crate::raster::{Builder, Scene, Shader};

@@ -4,6 +4,7 @@
 
 use super::Source;
 use super::batch::{Lanes, VertexBatch, needs};
+use super::lane::Order;
 use crate::batch::LANES;
 
 /// Numbers of a position.
@@ -60,10 +61,10 @@ impl Store {
         self.count == 0
     }
 
-    /// Which attributes are kept.
+    /// All vertices in order.
     #[must_use]
-    pub fn kept(&self) -> u32 {
-        self.kept
+    pub fn order(&self) -> Order<'static> {
+        Order::Range(0..u32::try_from(self.count).unwrap_or(u32::MAX))
     }
 
     /// Appends the vertices of a batch; all batches but the last must be full. False where there is no memory.
@@ -90,6 +91,30 @@ impl Store {
         }
     }
 
+    /// The numbers of a vertex.
+    pub fn numbers(&self, vertex: u32) -> impl Iterator<Item = f32> + '_ {
+        let lane = vertex as usize % LANES;
+        self.block(vertex as usize / LANES).unwrap_or_default().iter().map(move |lanes| lanes[lane])
+    }
+
+    /// A store of some of the vertices; `None` where there is no memory.
+    #[must_use]
+    pub fn chosen(&self, vertices: &[u32]) -> Option<Self> {
+        let mut lanes = Vec::new();
+        lanes.try_reserve_exact(vertices.len().div_ceil(LANES) * self.per_block).ok()?;
+        for block in vertices.chunks(LANES) {
+            let first = lanes.len();
+            lanes.resize(first + self.per_block, [0.0; LANES]);
+            for (lane, vertex) in block.iter().enumerate() {
+                for (to, value) in lanes[first..].iter_mut().zip(self.numbers(*vertex)) {
+                    to[lane] = value;
+                }
+            }
+        }
+        let Self { kept, per_block, w_is_one, .. } = *self;
+        Some(Self { kept, per_block, lanes, count: vertices.len(), w_is_one })
+    }
+
     fn block(&self, block: usize) -> Option<&[Lanes]> {
         self.lanes.get(block * self.per_block..(block + 1) * self.per_block)
     }
@@ -105,10 +130,14 @@ impl Store {
                 }
             }
             _ => {
+                let mut at = [0; LANES];
+                for (at, key) in at.iter_mut().zip(keys) {
+                    *at = (*key as usize / LANES * self.per_block + skip) * LANES + *key as usize % LANES;
+                }
+                let numbers = self.lanes.as_flattened();
                 for (k, to) in to.enumerate() {
-                    for (to, key) in to.iter_mut().zip(keys) {
-                        let block = self.block(*key as usize / LANES);
-                        *to = block.and_then(|b| b.get(skip + k)).map_or(0.0, |lanes| lanes[*key as usize % LANES]);
+                    for (to, at) in to.iter_mut().zip(at).take(keys.len()) {
+                        *to = numbers.get(at + k * LANES).copied().unwrap_or(0.0);
                     }
                 }
             }

@@ -1,0 +1,108 @@
+//! Equal vertices of a store made one (section 2.8 turned round): a display list of separate triangles has each corner of
+//! a mesh about six times. A welded store has it once and a list of indices, as if the program had used DrawElements, and
+//! a vertex depends on nothing but its values, so no bit changes.
+
+use super::cache::IndexList;
+use super::store::Store;
+
+/// How many places are looked at for a vertex before it counts as new, so that no input takes long.
+const PROBES: usize = 8;
+
+/// Vertices, each once, and the order in which they are drawn.
+#[derive(Clone, Debug, Default)]
+pub struct Welded {
+    /// The vertices.
+    pub store: Store,
+    /// Their indices, 4 bytes each.
+    indices: Vec<u8>,
+}
+
+impl Welded {
+    /// Welds a store; `None` where it is not worth it, or where there is no memory.
+    #[must_use]
+    pub fn new(store: &Store) -> Option<Self> {
+        let count = store.len();
+        let size = count.checked_mul(2)?.checked_next_power_of_two()?;
+        let (mut places, mut indices, mut first) = (Vec::<u32>::new(), Vec::new(), Vec::<u32>::new());
+        places.try_reserve_exact(size).ok()?;
+        indices.try_reserve_exact(count.checked_mul(4)?).ok()?;
+        places.resize(size, u32::MAX);
+        for vertex in 0..u32::try_from(count).ok()? {
+            let hash = store
+                .numbers(vertex)
+                .fold(0u64, |h, v| (h ^ u64::from(v.to_bits())).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29));
+            let mut id = None;
+            for probe in 0..PROBES {
+                let place = places.get_mut((hash as usize).wrapping_add(probe) & (size - 1))?;
+                if *place == u32::MAX {
+                    *place = first.len() as u32;
+                    break;
+                }
+                let like = *first.get(*place as usize)?;
+                let bits = |vertex| store.numbers(vertex).map(f32::to_bits);
+                if bits(like).eq(bits(vertex)) {
+                    id = Some(*place);
+                    break;
+                }
+            }
+            let id = id.unwrap_or(first.len() as u32);
+            if id as usize == first.len() {
+                // Worth it only where most vertices come again.
+                if first.len() > count / 2 || first.try_reserve(1).is_err() {
+                    return None;
+                }
+                first.push(vertex);
+            }
+            indices.extend_from_slice(&id.to_ne_bytes());
+        }
+        Some(Self { store: store.chosen(&first)?, indices })
+    }
+
+    /// The order in which the vertices are drawn.
+    #[must_use]
+    pub fn list(&self) -> IndexList<'_> {
+        IndexList { bytes: &self.indices, size: size_of::<u32>() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::LANES;
+    use crate::state::current::Current;
+    use crate::vertex::batch::{VertexBatch, needs};
+
+    fn store(vertices: impl Iterator<Item = ([f32; 4], [f32; 4])>) -> Store {
+        let (mut store, mut batch) = (Store::default(), VertexBatch::new());
+        store.clear(needs::COLOR);
+        for (position, color) in vertices {
+            batch.push(position, &Current { color, ..Current::default() }, needs::COLOR);
+            if batch.n == LANES {
+                assert!(store.push(&mut batch));
+                batch.clear();
+            }
+        }
+        assert!(store.push(&mut batch));
+        store
+    }
+
+    #[test]
+    fn equal_vertices_become_one_and_others_stay() {
+        let vertex = |i: usize| ([(i % 30) as f32, -0.0, 0.0, 1.0], [(i % 2) as f32, 0.5, 0.0, 1.0]);
+        let whole = store((0..300).map(vertex));
+        let welded = Welded::new(&whole).unwrap();
+        assert_eq!((welded.store.len(), welded.list().len()), (30, 300));
+        for (i, key) in welded.list().numbers().enumerate() {
+            let (a, b) = (whole.numbers(i as u32), welded.store.numbers(key));
+            assert!(a.map(f32::to_bits).eq(b.map(f32::to_bits)), "vertex {i}");
+        }
+        // 0 and -0 are not the same bits.
+        let zeros = store((0..200).map(|i| ([if i % 2 == 0 { 0.0 } else { -0.0 }; 4], [1.0; 4])));
+        assert_eq!(Welded::new(&zeros).unwrap().store.len(), 2);
+    }
+
+    #[test]
+    fn a_store_of_different_vertices_is_left_alone() {
+        assert!(Welded::new(&store((0..200).map(|i| ([i as f32, 0.0, 0.0, 1.0], [1.0; 4])))).is_none());
+    }
+}
