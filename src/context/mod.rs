@@ -13,6 +13,8 @@ pub(crate) mod convert;
 pub(crate) mod counts;
 pub(crate) mod draw_arrays;
 pub(crate) mod draw_source;
+#[cfg(test)]
+mod draw_tests;
 pub(crate) mod enable;
 pub(crate) mod engine;
 pub(crate) mod errors;

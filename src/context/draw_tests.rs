@@ -1,0 +1,200 @@
+//! Tests of large draws: the same mesh from arrays, from Begin and End and from a display list, with one thread and with
+//! several, is the same to the last bit; and what a list leaves behind is what its commands would have left.
+
+use crate::Context;
+use crate::context::Config;
+use crate::enums::*;
+
+const SIDE: usize = 72;
+const SIZE: u32 = 160;
+
+/// Position, normal, texture coordinate, colour of a corner of a wavy grid.
+type Corner = ([f32; 3], [f32; 3], [f32; 2], [f32; 4]);
+
+fn corner(i: usize, j: usize) -> Corner {
+    let (s, t) = (i as f32 / SIDE as f32, j as f32 / SIDE as f32);
+    let wave = ((i * 7 + j * 13) % 17) as f32 / 17.0;
+    // Some of it lies before the near plane and beside the window.
+    let position = [2.4 * s - 1.2, 2.4 * t - 1.2, 1.3 * wave - 0.3];
+    (position, [wave - 0.5, 0.3, 0.8], [3.0 * s, 2.0 * t], [s, t, wave, 1.0])
+}
+
+fn corners() -> Vec<Corner> {
+    (0..=SIDE).flat_map(|j| (0..=SIDE).map(move |i| corner(i, j))).collect()
+}
+
+/// Two triangles a cell, of which some look the other way.
+fn triangles() -> Vec<u32> {
+    let at = |i: usize, j: usize| (j * (SIDE + 1) + i) as u32;
+    let cells = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));
+    cells
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            if (i + j) % 5 == 0 { [a, c, b, a, c, d] } else { [a, b, c, a, c, d] }
+        })
+        .collect()
+}
+
+/// Rows of the grid one after the other in one strip, joined by triangles without area.
+fn strip() -> Vec<u32> {
+    let at = |i: usize, j: usize| (j * (SIDE + 1) + i) as u32;
+    (0..SIDE)
+        .flat_map(|j| {
+            let row = (0..=SIDE).flat_map(move |i| [at(i, j + 1), at(i, j)]);
+            [at(0, j + 1)].into_iter().chain(row).chain([at(SIDE, j)])
+        })
+        .collect()
+}
+
+fn context(threads: usize) -> Context {
+    let mut gl = Context::with_config(SIZE, SIZE, Config { threads, ..Config::default() });
+    let texels: Vec<u8> = (0..4 * 64u32).map(|i| (i * 37 % 251) as u8).collect();
+    gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA8, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
+    for what in [GL_TEXTURE_2D, GL_DEPTH_TEST, GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL] {
+        gl.enable(what);
+    }
+    gl.frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 4.0);
+    gl.translatef(0.0, 0.0, -1.2);
+    gl
+}
+
+fn bind(gl: &mut Context) {
+    let all = corners();
+    gl.vertex_pointer(3, GL_FLOAT, 0, all.iter().map(|c| c.0).collect::<Vec<_>>().as_flattened());
+    gl.normal_pointer(GL_FLOAT, 0, all.iter().map(|c| c.1).collect::<Vec<_>>().as_flattened());
+    gl.tex_coord_pointer(2, GL_FLOAT, 0, all.iter().map(|c| c.2).collect::<Vec<_>>().as_flattened());
+    gl.color_pointer(4, GL_FLOAT, 0, all.iter().map(|c| c.3).collect::<Vec<_>>().as_flattened());
+    for array in [GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_COLOR_ARRAY] {
+        gl.enable_client_state(array);
+    }
+}
+
+fn elements(gl: &mut Context, mode: GLenum, indices: &[u32]) {
+    bind(gl);
+    gl.draw_elements(mode, indices.len() as i32, GL_UNSIGNED_INT, indices);
+}
+
+fn issue(gl: &mut Context, mode: GLenum, indices: &[u32], mut before: impl FnMut(&mut Context, usize)) {
+    let all = corners();
+    gl.begin(mode);
+    for (i, index) in indices.iter().enumerate() {
+        before(gl, i);
+        let (position, normal, coordinate, color) = all[*index as usize];
+        gl.color4fv(&color);
+        gl.normal3fv(&normal);
+        gl.tex_coord2fv(&coordinate);
+        gl.vertex3fv(&position);
+    }
+    gl.end();
+}
+
+fn picture(threads: usize, draw: impl Fn(&mut Context)) -> Vec<u8> {
+    let mut gl = context(threads);
+    draw(&mut gl);
+    assert_eq!(gl.check(), Ok(()));
+    gl.pixels()
+}
+
+/// The same picture with any number of threads; returns it.
+fn same(draw: impl Fn(&mut Context)) -> Vec<u8> {
+    let want = picture(1, &draw);
+    let drawn = want.as_chunks::<4>().0.iter().filter(|p| **p != [0; 4]).count();
+    assert!(drawn > 8000, "{drawn} pixels");
+    for threads in [2, 5] {
+        assert!(picture(threads, &draw) == want, "{threads} threads");
+    }
+    want
+}
+
+#[test]
+fn a_mesh_is_the_same_however_it_is_issued() {
+    let list = triangles();
+    assert!(list.len() > crate::vertex::lane::WORTH_CUTTING);
+    let want = same(|gl| elements(gl, GL_TRIANGLES, &list));
+    assert!(same(|gl| issue(gl, GL_TRIANGLES, &list, |_, _| {})) == want, "Begin and End");
+    let listed = |gl: &mut Context| {
+        gl.new_list(3, GL_COMPILE);
+        issue(gl, GL_TRIANGLES, &list, |_, _| {});
+        gl.end_list();
+        gl.call_list(3);
+    };
+    assert!(same(listed) == want, "display list");
+    // From a primitive that waits already, so that the long one does not begin a batch.
+    let after = |gl: &mut Context| {
+        issue(gl, GL_TRIANGLES, &[0, 0, 0, 1], |_, _| {});
+        issue(gl, GL_TRIANGLES, &list, |_, _| {});
+    };
+    assert!(same(after) == want, "after another");
+    // So many that what is collected is drawn before the end.
+    let twice: Vec<u32> = list.iter().chain(&list).copied().collect();
+    same(|gl| issue(gl, GL_TRIANGLES, &twice, |_, _| {}));
+}
+
+#[test]
+fn strips_are_the_same_in_parts() {
+    let strips: Vec<u32> = strip().into_iter().chain(strip()).collect();
+    assert!(strips.len() > crate::vertex::lane::WORTH_CUTTING);
+    for mode in [GL_TRIANGLE_STRIP, GL_QUAD_STRIP] {
+        for shade in [GL_SMOOTH, GL_FLAT] {
+            same(|gl| {
+                gl.shade_model(shade);
+                elements(gl, mode, &strips);
+            });
+        }
+    }
+}
+
+#[test]
+fn a_change_within_a_long_primitive_counts_from_then_on() {
+    let list = triangles();
+    let change = |gl: &mut Context, i: usize| match i {
+        // In the middle of a triangle and of a batch.
+        5003 => gl.materialf(GL_FRONT_AND_BACK, GL_SHININESS, 9.0),
+        5004 => gl.materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, &[1.0; 4]),
+        9001 => gl.tex_coord4f(0.5, 0.5, 0.0, 2.0),
+        _ => {}
+    };
+    let changed = same(|gl| issue(gl, GL_TRIANGLES, &list, change));
+    assert!(changed != same(|gl| issue(gl, GL_TRIANGLES, &list, |_, _| {})));
+}
+
+#[test]
+fn a_list_leaves_the_current_values_of_its_commands() {
+    let mut gl = context(1);
+    gl.new_list(1, GL_COMPILE);
+    gl.begin(GL_QUADS);
+    gl.color4f(0.25, 0.5, 0.75, 0.5);
+    for i in 0..80 {
+        gl.indexi(i);
+        gl.multi_tex_coord2f(GL_TEXTURE1, i as f32, 2.0);
+        gl.vertex2i(i, i % 3);
+    }
+    gl.normal3f(0.0, 1.0, 0.0);
+    gl.secondary_color3f(0.5, 0.25, 0.125);
+    gl.end();
+    gl.end_list();
+    let values = |gl: &mut Context| {
+        let mut v = [0.0f32; 20];
+        gl.get_floatv(GL_CURRENT_COLOR, &mut v[..4]);
+        gl.get_floatv(GL_CURRENT_NORMAL, &mut v[4..7]);
+        gl.get_floatv(GL_CURRENT_SECONDARY_COLOR, &mut v[7..11]);
+        gl.get_floatv(GL_CURRENT_INDEX, &mut v[11..12]);
+        gl.active_texture(GL_TEXTURE1);
+        gl.get_floatv(GL_CURRENT_TEXTURE_COORDS, &mut v[12..16]);
+        gl.get_materialfv(GL_FRONT, GL_DIFFUSE, &mut v[16..]);
+        v
+    };
+    gl.call_list(1);
+    let want = [0.25, 0.5, 0.75, 0.5, 0.0, 1.0, 0.0, 0.5, 0.25, 0.125];
+    let got = values(&mut gl);
+    assert_eq!(got[..10], want);
+    assert_eq!(got[11..], [79.0, 79.0, 2.0, 0.0, 1.0, 0.25, 0.5, 0.75, 0.5]);
+    assert_eq!(gl.check(), Ok(()));
+    // Between Begin and End its Begin is the error that it would be by itself, and its End ends.
+    gl.begin(GL_POINTS);
+    gl.call_list(1);
+    assert_eq!(gl.get_error(), GL_INVALID_OPERATION);
+    assert_eq!(values(&mut gl), got);
+    assert_eq!(gl.check(), Ok(()));
+}
