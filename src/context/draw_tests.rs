@@ -54,7 +54,9 @@ fn context(threads: usize) -> Context {
     for what in [GL_TEXTURE_2D, GL_DEPTH_TEST, GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL] {
         gl.enable(what);
     }
+    gl.matrix_mode(GL_PROJECTION);
     gl.frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 4.0);
+    gl.matrix_mode(GL_MODELVIEW);
     gl.translatef(0.0, 0.0, -1.2);
     gl
 }

@@ -352,6 +352,8 @@ impl<P: Shader> Scene<P> {
     /// many fragments passed.
     pub fn draw_pieces<W: Pieces<P>>(&mut self, framebuffer: &mut Framebuffer, pieces: &W, owns: &mut [W::Own]) -> u64 {
         let before = self.make_room(framebuffer, owns.len());
+        let workers = owns.len().min(pieces.count());
+        let owns = owns.get_mut(..workers).unwrap_or_default();
         let Some(draw) = self.draws.last() else { return before };
         let round = Round { draw, recipe: &self.recipe, cut: self.cut };
         before + round.run(pieces, owns, framebuffer, &mut self.parts, &mut self.emitters)

@@ -14,10 +14,12 @@ use std::ops::Range;
 
 /// Primitives that are handed on before the sink is asked whether it is full.
 const FEED: usize = 256;
-/// Vertices of a part at most: a multiple of 3, 4 and 64.
-const MOST: usize = 64 * 192;
-/// Vertices of a part at least.
-const LEAST: usize = 8 * 192;
+/// Parts have a multiple of so many vertices: whole triangles, quadrilaterals and batches.
+const UNIT: usize = 192;
+/// Vertices of a part at most.
+const MOST: usize = 64 * UNIT;
+/// Vertices of a part at least, where there are not very many threads.
+const LEAST: usize = 8 * UNIT;
 /// Vertices from which on a draw is worth cutting: starting a thread takes about as long as drawing a thousand triangles
 /// that are all culled.
 pub const WORTH_CUTTING: usize = 12_288;
@@ -173,7 +175,6 @@ pub struct Parts<'a, S> {
 
 impl<'a, S: Source> Parts<'a, S> {
     /// Cuts a draw for a number of threads, if that is possible.
-    #[must_use]
     pub fn new(
         draw: SourceDraw<'a, S>,
         order: Order<'a>,
@@ -187,7 +188,9 @@ impl<'a, S: Source> Parts<'a, S> {
         if threads < 2 || order.len() < WORTH_CUTTING {
             return Err((draw, order));
         }
-        let each = (order.len() / (4 * threads)).clamp(LEAST, MOST).next_multiple_of(192);
+        // Many threads take smaller parts, so that what is set up at a time stays within some ten megabytes.
+        let most = (6 * MOST / threads).clamp(UNIT, MOST);
+        let each = (order.len() / (4 * threads)).max(LEAST).min(most).next_multiple_of(UNIT);
         Ok(Self { draw, order, each, shared })
     }
 }
