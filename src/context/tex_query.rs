@@ -139,9 +139,10 @@ impl Engine {
         let base = usize::try_from(object.parameters.base_level).unwrap_or(usize::MAX);
         let last = usize::try_from(object.parameters.max_level).unwrap_or(0).min(MAX_TEXTURE_LEVELS - 1);
         let Some(image) = object.image(face, base).cloned() else { return Ok(()) };
-        let levels = mipmap::levels(&image, last.saturating_sub(base))?;
-        let object = self.bound_texture_mut(target);
-        for (made, slot) in levels.into_iter().zip(object.faces[face].iter_mut().skip(base + 1)) {
+        let simd = self.config.level;
+        let below = self.bound_texture_mut(target).faces[face].get_mut(base + 1..).unwrap_or(&mut []);
+        let levels = mipmap::levels(&image, last.saturating_sub(base), simd, below)?;
+        for (made, slot) in levels.into_iter().zip(below) {
             *slot = Some(Arc::new(made));
         }
         self.dirty.add(Dirty { vertex: false, fragment: true, raster: false });

@@ -7,15 +7,16 @@
 //! GL says to the levels stays in the GL.
 
 use super::grid::{Grid, Kernel};
+use super::pyramid::Pyramid;
 use super::scale::ImageError;
 use crate::context::{Context, NULL, Pixels};
 use crate::enums::*;
 use crate::error::{invalid_enum, invalid_value};
 use crate::num::as_bytes;
-use crate::pixels::format::{PixelFormat, Purpose};
+use crate::pixels::format::{Kind, PixelFormat, Purpose};
 use crate::pixels::unpack::ClientImage;
 use crate::state::pixel::PixelStore;
-use crate::texture::format::InternalFormat;
+use crate::texture::format::{BaseFormat, InternalFormat, Storage};
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
@@ -95,12 +96,52 @@ fn try_build(cx: &mut Context, job: &Job<'_>, levels: Option<Levels>) -> Result<
     } else {
         ClientImage::new_2d(bytes, &layout, [job.size[0], job.size[1]], pixel)?
     };
-    let target = size.map(|n| n.unsigned_abs() as usize);
-    let grid = Grid::unpack(&image).and_then(|g| g.resized(target, Kernel::Area)).ok_or(ImageError::Memory)?;
-    cx.engine.set_unpack_store(PixelStore::TIGHT);
-    let result = upload_levels(cx, job, pixel, grid, level, base.max(level + i32::from(untouched))..=*wanted.end());
+    let wanted = base.max(level + i32::from(untouched))..=*wanted.end();
+    let result = if untouched && keeps_bytes(cx, job) {
+        let pyramid = Pyramid::of(&image, cx.engine.config.level).ok_or(ImageError::Memory)?;
+        cx.engine.set_unpack_store(PixelStore::TIGHT);
+        upload_bytes(cx, job, pixel, pyramid, level, wanted)
+    } else {
+        let target = size.map(|n| n.unsigned_abs() as usize);
+        let grid = Grid::unpack(&image).and_then(|g| g.resized(target, Kernel::Area)).ok_or(ImageError::Memory)?;
+        cx.engine.set_unpack_store(PixelStore::TIGHT);
+        upload_levels(cx, job, pixel, grid, level, wanted)
+    };
     cx.engine.set_unpack_store(store);
     result
+}
+
+/// Hands levels to the GL as bytes, the last ones as floats; the pyramid begins below level `at`.
+#[track_caller]
+fn upload_bytes(
+    cx: &mut Context,
+    job: &Job<'_>,
+    pixel: PixelFormat,
+    pyramid: Pyramid,
+    at: i32,
+    wanted: RangeInclusive<i32>,
+) -> Result<(), ImageError> {
+    let packed = Job { format: GL_RGBA, ..*job };
+    let last = at + pyramid.floors.len() as i32;
+    for (l, floor) in (at + 1..).zip(&pyramid.floors).filter(|(l, _)| wanted.contains(l)) {
+        let size = [floor.width, floor.texels.len() / floor.width, 1].map(|n| n as i32);
+        let bytes = Pixels::Bytes(Cow::Borrowed(as_bytes(&floor.texels)));
+        upload(cx, &packed, l, size, GL_UNSIGNED_INT_8_8_8_8_REV, bytes);
+    }
+    upload_levels(cx, job, pixel, pyramid.last, last, *wanted.start().max(&(last + 1))..=*wanted.end())
+}
+
+/// Whether the levels of an image may be handed over as bytes: where it is one of bytes, the texture keeps bytes and
+/// nothing is done to them on the way. A display list must hold floats, as pixel transfer is up to whoever calls it.
+fn keeps_bytes(cx: &Context, job: &Job<'_>) -> bool {
+    let keeps = |format: &InternalFormat| format.storage == Storage::Rgba8 && format.base != BaseFormat::Depth;
+    job.dimensions == 2
+        && job.type_ == GL_UNSIGNED_BYTE
+        && job.size[..2].iter().all(|&n| n > 1)
+        && PixelFormat::new(job.format, job.type_).is_ok_and(|pixel| pixel.kind() == Kind::Color)
+        && InternalFormat::of_tex_image(job.internal_format).is_ok_and(keeps)
+        && cx.engine.transfer().keeps_colors()
+        && !cx.hooks.recording()
 }
 
 /// Hands levels to the GL as floats; `grid` is level `at`.

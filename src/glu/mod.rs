@@ -10,6 +10,7 @@ mod grid;
 mod matrices;
 mod mipmap;
 mod project;
+mod pyramid;
 mod quadrics;
 mod revolution;
 mod scale;

@@ -8,7 +8,10 @@
 //! the rounding of one level never reaches the next.
 
 use super::image::{Image, Texels, zeroed};
-use crate::error::{Outcome, out_of_memory};
+use super::sums;
+use crate::batch;
+use crate::error::Outcome;
+use std::sync::Arc;
 
 /// Four components.
 type Texel = [f32; 4];
@@ -31,20 +34,20 @@ pub fn levels_below(size: [u32; 3]) -> usize {
     size.into_iter().max().and_then(u32::checked_ilog2).unwrap_or(0) as usize
 }
 
-/// The levels below `base`, the first half its size: `count` of them, or as many as there are down to 1 x 1 x 1.
-pub fn levels(base: &Image, count: usize) -> Outcome<Vec<Image>> {
+/// The levels below `base`, the first half its size: `count` of them, or as many as there are down to 1 x 1 x 1. `old`
+/// are the levels that they replace: what nobody else holds gives its memory, and an error loses it. `simd` is the
+/// instruction set.
+pub fn levels(base: &Image, count: usize, simd: batch::Level, old: &mut [Option<Arc<Image>>]) -> Outcome<Vec<Image>> {
     let mut made: Vec<Image> = Vec::new();
     if base.is_null() {
         return Ok(made);
     }
     let border = base.border as usize;
-    let mut size = [base.width, base.height, base.depth];
-    let count = count.min(levels_below(size));
-    let mut above: Option<Level> = None;
-    if let Some(sums) = Sums::of(base)? {
-        above = sums.reduce(base, &mut size, count, &mut made)?;
-    }
-    for _ in made.len()..count {
+    let count = count.min(levels_below([base.width, base.height, base.depth]));
+    let means = sums::levels(base, count, simd, old, &mut made)?;
+    let halved = |n: u32| (n >> made.len()) as usize;
+    let mut above = means.map(|texels| Level { size: [halved(base.width), halved(base.height), 1], texels });
+    for n in made.len()..count {
         let level = match &above {
             None => first_reduction(base)?,
             Some(Level { size: [w, h, d], texels }) if is_even(border, [*w, *h, *d]) => {
@@ -55,7 +58,7 @@ pub fn levels(base: &Image, count: usize) -> Outcome<Vec<Image>> {
                 to.copy_from_slice(texels.get(at..at + w).unwrap_or(&[]));
             })?,
         };
-        size = next_size(size);
+        let size = [base.width, base.height, base.depth].map(|size| (size >> (n + 1)).max(1));
         made.push(to_image(base, size, &level)?);
         above = Some(level);
     }
@@ -74,103 +77,6 @@ fn first_reduction(base: &Image) -> Outcome<Level> {
 /// Whether [`quarter`] may take the place of [`reduce`].
 fn is_even(border: usize, [w, h, d]: [usize; 3]) -> bool {
     border == 0 && d == 1 && w.is_multiple_of(2) && h.is_multiple_of(2)
-}
-
-/// Sums of packed texels, R and B in one number and G and A in the other, 16 bits each. As many as 256 bytes have a sum
-/// that fits, so four levels come out of additions of whole numbers, exactly what floats would give.
-struct Sums {
-    size: [usize; 2],
-    /// How often the image has been halved.
-    halved: u32,
-    sums: Vec<[u32; 2]>,
-}
-
-impl Sums {
-    /// The most often that an image may be halved.
-    const MOST: u32 = 4;
-
-    /// The sums of the first reduction, where the image has packed texels and is even.
-    fn of(base: &Image) -> Outcome<Option<Sums>> {
-        let full @ [w, h, _] = base.full_size().map(|n| n as usize);
-        let Texels::Rgba8(texels) = base.own_texels() else { return Ok(None) };
-        if !is_even(base.border as usize, full) {
-            return Ok(None);
-        }
-        let mut sums = reserved(w / 2 * (h / 2))?;
-        for y in 0..h / 2 {
-            let row = |y: usize| {
-                let at = base.index(0, y as i32, 0);
-                texels.get(at..at + w).unwrap_or(&[]).as_chunks::<2>().0
-            };
-            sums.extend(row(2 * y).iter().zip(row(2 * y + 1)).map(|([a, b], [c, d])| {
-                let two = |shift: u32| [a, b, c, d].map(|t| (t >> shift) & 0x00FF_00FF).into_iter().sum();
-                [two(0), two(8)]
-            }));
-        }
-        Ok(Some(Sums { size: [w / 2, h / 2], halved: 1, sums }))
-    }
-
-    /// Makes levels as long as sums fit and sizes are even; gives the last one as floats.
-    fn reduce(
-        mut self,
-        base: &Image,
-        size: &mut [u32; 3],
-        count: usize,
-        made: &mut Vec<Image>,
-    ) -> Outcome<Option<Level>> {
-        while made.len() < count {
-            if self.halved as usize > made.len() {
-                *size = next_size(*size);
-                made.push(self.to_image(base, *size)?);
-            }
-            let [w, h] = self.size;
-            if self.halved == Self::MOST || !is_even(0, [w, h, 1]) {
-                break;
-            }
-            let mut sums = reserved(w / 2 * (h / 2))?;
-            for rows in self.sums.chunks_exact(2 * w) {
-                let (low, high) = rows.split_at(w);
-                let pairs = low.as_chunks::<2>().0.iter().zip(high.as_chunks::<2>().0);
-                sums.extend(pairs.map(|([a, b], [c, d])| [0, 1].map(|i: usize| (a[i] + b[i]) + (c[i] + d[i]))));
-            }
-            self.sums = sums;
-            self.size = [w / 2, h / 2];
-            self.halved += 1;
-        }
-        let part = 1.0 / (1u32 << (2 * self.halved)) as f32;
-        let mut texels = reserved(self.sums.len())?;
-        texels.extend(
-            self.sums
-                .iter()
-                .map(|[rb, ga]| [rb & 0xFFFF, ga & 0xFFFF, rb >> 16, ga >> 16].map(|sum| sum as f32 * part)),
-        );
-        let [w, h] = self.size;
-        Ok(Some(Level { size: [w, h, 1], texels }))
-    }
-
-    /// The means as an image, rounded half up.
-    fn to_image(&self, like: &Image, size: [u32; 3]) -> Outcome<Image> {
-        let mut image = Image::new(like.format, like.dimensions, size, like.border)?;
-        image.internal_format = like.internal_format;
-        let (shift, [w, h]) = (2 * self.halved, self.size);
-        let half = 0x0001_0001 << (shift - 1);
-        for (y, row) in self.sums.chunks_exact(w).enumerate() {
-            let at = image.index(0, y as i32, 0);
-            let Texels::Rgba8(texels) = &mut image.texels else { continue };
-            for (to, [rb, ga]) in texels.iter_mut().skip(at).zip(row) {
-                *to = ((rb + half) >> shift & 0x00FF_00FF) | ((ga + half) >> shift & 0x00FF_00FF) << 8;
-            }
-        }
-        image.recompress([0; 3], [w as i32, h as i32, 1])?;
-        Ok(image)
-    }
-}
-
-/// An empty vector with room for so many.
-fn reserved<T>(len: usize) -> Outcome<Vec<T>> {
-    let mut vector = Vec::new();
-    vector.try_reserve_exact(len).map_err(|_| out_of_memory(format!("no memory for {len} texels")))?;
-    Ok(vector)
 }
 
 /// [`reduce`] for two even dimensions at once: the same sums, as only halves are taken of them.
@@ -345,29 +251,45 @@ mod tests {
     use crate::texture::format::InternalFormat;
     use crate::texture::image::Dimensions;
 
-    #[test]
-    fn sums_give_what_floats_give() {
-        for size in [[512, 512], [64, 6], [6, 64], [2, 2], [48, 80], [32, 1024]] {
-            let format = InternalFormat::of_tex_image(GL_RGBA8.cast_signed()).expect("a format");
-            let mut base = Image::new(format, Dimensions::Two, [size[0], size[1], 1], 0).expect("memory");
-            let mut random = 12_345u32;
-            if let Texels::Rgba8(texels) = &mut base.texels {
-                for t in texels {
-                    random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                    // Many whites, so that sums reach their limit.
-                    *t = if random >> 30 == 0 { random } else { u32::MAX };
-                }
+    fn noise(size: [u32; 2], seed: u32) -> Image {
+        let format = InternalFormat::of_tex_image(GL_RGBA8.cast_signed()).expect("a format");
+        let mut image = Image::new(format, Dimensions::Two, [size[0], size[1], 1], 0).expect("memory");
+        let mut random = seed;
+        if let Texels::Rgba8(texels) = &mut image.texels {
+            for t in texels {
+                random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                // Many whites, so that sums reach their limit.
+                *t = if random >> 30 == 0 { random } else { u32::MAX };
             }
-            let made = levels(&base, 20).expect("memory");
+        }
+        image
+    }
+
+    #[test]
+    fn sums_give_what_floats_give_at_every_level_of_instructions_and_in_used_memory() {
+        for size in [[512, 512], [64, 6], [6, 64], [2, 2], [48, 80], [32, 1024], [4, 12], [40, 8]] {
+            let base = noise(size, 12_345);
+            let mut wanted = Vec::new();
             let mut above = first_reduction(&base).expect("memory");
-            for (i, image) in made.iter().enumerate() {
-                let want = to_image(&base, [image.width, image.height, 1], &above).expect("memory");
-                assert_eq!(image.own_texels(), want.own_texels(), "level {} of {size:?}", i + 1);
-                let Level { size, texels } = &above;
-                let next = reduce(*size, 0, |y, _, to| to.copy_from_slice(&texels[y * size[0]..][..size[0]]));
+            while wanted.len() < levels_below([size[0], size[1], 1]) {
+                let Level { size: [w, h, _], texels } = &above;
+                wanted.push(to_image(&base, [*w as u32, *h as u32, 1], &above).expect("memory"));
+                let next = reduce([*w, *h, 1], 0, |y, _, to| to.copy_from_slice(&texels[y * w..][..*w]));
                 above = next.expect("memory");
             }
-            assert_eq!(made.len(), levels_below([size[0], size[1], 1]));
+            for simd in batch::Level::available() {
+                let old = levels(&noise(size, 99), 20, simd, &mut []).expect("memory");
+                let mut old: Vec<_> = old.into_iter().map(|image| Some(Arc::new(image))).collect();
+                let held = old[0].clone();
+                let before = held.as_ref().expect("a level").texels.clone();
+                let made = levels(&base, 20, simd, &mut old).expect("memory");
+                assert_eq!(made.len(), wanted.len());
+                assert_eq!(held.expect("a level").texels, before, "a level that is held keeps its texels");
+                for (i, (made, want)) in made.iter().zip(&wanted).enumerate() {
+                    assert_eq!(made.full_size(), want.full_size());
+                    assert_eq!(made.own_texels(), want.own_texels(), "level {} of {size:?} at {simd:?}", i + 1);
+                }
+            }
         }
     }
 }

@@ -25,6 +25,7 @@ pub mod sampler;
 #[cfg(test)]
 mod sampler_tests;
 pub mod shadow;
+mod sums;
 #[cfg(test)]
 mod test_support;
 pub mod uniforms;
