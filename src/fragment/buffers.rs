@@ -28,11 +28,11 @@ macro_rules! places {
 }
 pub(super) use places;
 
-/// Where the pixels begin, if the batch is one row segment of all lanes.
+/// Where the pixels begin, if the batch is one row segment, which may be shorter than the batch: the mask knows.
 #[inline(always)]
-pub(super) fn full_row(segments: &[Segment]) -> Option<usize> {
+fn one_row(segments: &[Segment]) -> Option<usize> {
     match segments {
-        [s] if s.row && s.start == 0 && s.len as usize == LANES => Some(s.offset as usize),
+        [s] if s.row && s.start == 0 => Some(s.offset as usize),
         _ => None,
     }
 }
@@ -46,7 +46,7 @@ fn run_start(segment: &Segment, piece: Piece) -> Option<usize> {
 /// Reads the lanes' pixels; pixels outside the band read as the default.
 #[inline(always)]
 pub(super) fn load<T: Lane>(places: Places<'_>, from: &[T], to: &mut [T; LANES]) {
-    if let Some(run) = full_row(places.segments).and_then(|at| from.get(at..)).and_then(|r| r.first_chunk()) {
+    if let Some(run) = one_row(places.segments).and_then(|at| from.get(at..)).and_then(|r| r.first_chunk()) {
         *to = *run;
         return;
     }
@@ -93,7 +93,7 @@ fn at(segment: &Segment, offset: &[u32; LANES], lane: usize) -> usize {
 /// Writes the lanes whose mask is not 0.
 #[inline(always)]
 pub(super) fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T; LANES], to: &mut [T]) {
-    if let Some(run) = full_row(places.segments).and_then(|at| to.get_mut(at..)).and_then(|r| r.first_chunk_mut()) {
+    if let Some(run) = one_row(places.segments).and_then(|at| to.get_mut(at..)).and_then(|r| r.first_chunk_mut()) {
         let run: &mut [T; LANES] = run;
         for i in 0..LANES {
             run[i] = T::select(mask[i], from[i], run[i]);

@@ -3,12 +3,13 @@
 //! written, then the colour of what passed is computed and written. Blocks are of 64 pixels, the last of a run of 16.
 //! Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::batch::FragmentBatch;
-use super::compare::{Func, all, any, compare};
-use super::depth::{Slope, WRITE};
+use super::batch::{FragmentBatch, Segment};
+use super::compare::{Func, any, compare};
+use super::depth::WRITE;
+use super::depth_rows::{Slope, coarse, hidden, lanes, look, put};
 use super::interpolate::primitive;
 use super::pack::Paint;
-use super::segments::{IOTA, Lane, ones, row_origin};
+use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 
@@ -25,29 +26,39 @@ struct Run {
     paint: Option<Paint>,
 }
 
+/// What became of a block.
+#[derive(Clone, Copy, PartialEq)]
+enum Block {
+    /// Some fragments passed.
+    Alive,
+    /// None passed.
+    Dead,
+    /// Nothing was done, because the buffers end before the block does.
+    Outside,
+}
+
 impl Run {
     /// `N` pixels from `at` on, of which the first `n` are of the run; lane 0 is at `x`, relative to the primitive's
-    /// origin. False, and nothing done, where the buffers end before the block does.
+    /// origin.
     #[inline(always)]
-    fn block<const N: usize>(&self, w: &mut Work<'_, '_>, at: usize, x: i32, n: usize) -> bool {
-        let mut mask = [0; N];
-        for (mask, i) in mask.iter_mut().zip(IOTA) {
-            *mask = ones(i < n as f32);
+    fn block<const N: usize>(&self, w: &mut Work<'_, '_>, at: usize, x: i32, n: usize) -> Block {
+        let mut mask = lanes::<N>(n);
+        let mut color = None;
+        if let Some(paint) = &self.paint {
+            let Some(pixels) = w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
+                return Block::Outside;
+            };
+            color = Some((paint, pixels));
         }
-        let color = match &self.paint {
-            Some(paint) => match w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) {
-                Some(pixels) => Some((paint, pixels)),
-                None => return false,
-            },
-            None => None,
-        };
         if let Some((slope, func, write)) = &self.depth {
-            let Some(depth) = w.band.depth.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else { return false };
+            let Some(depth) = w.band.depth.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
+                return Block::Outside;
+            };
             let mut z = [0; N];
             slope.depths(x, &mut z);
             compare(*func, &z, depth, &mut mask);
             if !any(&mask) {
-                return true;
+                return Block::Dead;
             }
             if *write {
                 put(&mask, &z, depth);
@@ -58,19 +69,16 @@ impl Run {
             paint.pixels(x, &mut packed);
             put(&mask, &packed, pixels);
         }
-        true
+        Block::Alive
     }
-}
 
-/// Writes where the mask is set.
-#[inline(always)]
-fn put<const N: usize>(mask: &[u32; N], from: &[u32; N], to: &mut [u32; N]) {
-    if all(mask) {
-        *to = *from;
-    } else {
-        for i in 0..N {
-            to[i] = u32::select(mask[i], from[i], to[i]);
-        }
+    /// The next pixel of a run from its pixel `from` on that the coarse depths do not hide.
+    #[inline(always)]
+    fn skip(&self, w: &Work<'_, '_>, run: &Segment, x: i32, from: usize) -> usize {
+        let Some((slope, func, _)) = &self.depth else { return from };
+        let (first, step) = (from as u32, from as i32);
+        let rest = Segment { x: run.x.wrapping_add(step), len: run.len - first, ..*run };
+        from + hidden(w.band, &rest, slope, x.wrapping_add(step), *func) as usize
     }
 }
 
@@ -105,19 +113,30 @@ stage! {
             return;
         }
         let run = Run { depth, paint };
-        let mut done = 0;
-        while len - done >= LANES {
-            if !run.block::<LANES>(w, at + done, x.wrapping_add(done as i32), LANES) {
-                break;
+        let x0 = x;
+        let mut done = run.skip(w, &segment, x0, 0);
+        let first = done;
+        while done < len {
+            let (at, x) = (at + done, x0.wrapping_add(done as i32));
+            let left = len - done;
+            let (block, n) = if left >= LANES {
+                (run.block::<LANES>(w, at, x, LANES), LANES)
+            } else {
+                let n = if left > SHORT { SHORT } else { left };
+                (run.block::<SHORT>(w, at, x, n), n)
+            };
+            match block {
+                Block::Outside => break,
+                Block::Alive => done += n,
+                Block::Dead => done = run.skip(w, &segment, x0, done + n),
             }
-            done += LANES;
         }
-        while len > done {
-            let n = if len - done > SHORT { SHORT } else { len - done };
-            if !run.block::<SHORT>(w, at + done, x.wrapping_add(done as i32), n) {
-                break;
-            }
-            done += n;
+        if let Some((_, func, true)) = run.depth
+            && first < done
+            && coarse(func)
+        {
+            let (x, offset) = (segment.x.wrapping_add(first as i32), segment.offset.wrapping_add(first as u32));
+            look(w.band, &Segment { x, offset, ..segment }, done - first);
         }
         b.tex.n = done;
     }

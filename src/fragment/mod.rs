@@ -9,6 +9,7 @@ mod build;
 pub mod compare;
 mod coordinates;
 mod depth;
+mod depth_rows;
 mod fill;
 mod float_store;
 mod fog;

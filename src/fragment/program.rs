@@ -93,6 +93,12 @@ pub struct Program {
     pub(super) actions: Vec<Action>,
     /// The stage that does whole runs by itself, where the program is so simple that there is one.
     pub(super) fill: Option<Step<FragFn>>,
+    /// The stage that says which pixels of a run the coarse depths hide.
+    pub(super) hidden: Option<Step<FragFn>>,
+    /// The stage that tells the coarse depths of what a run has left behind.
+    pub(super) look: Option<Step<FragFn>>,
+    /// Whether depths may be raised, after which the coarse depths mean nothing.
+    pub(super) raises_depth: bool,
     pub(super) samplers: Vec<Sampler>,
     pub(super) environments: Option<EnvPlan>,
     /// Where what is done is counted, if somebody wants to know.
@@ -116,6 +122,9 @@ impl Program {
         pool: impl Into<PlanePool<'a>>,
         band: &mut Band<'_>,
     ) {
+        if self.raises_depth {
+            band.coarse.forget();
+        }
         let mut work = Work { planes, pool: pool.into(), band };
         if let Some(tally) = &self.tally {
             return self.run_counted(batch, &mut work, tally);
@@ -172,27 +181,58 @@ impl Program {
     ) -> u32 {
         let (len, pool) = (run.len, pool.into());
         if let Some(step) = &self.fill {
-            batch.segments[0] = run;
-            batch.segment_count = 1;
-            let mut work = Work { planes, pool, band };
-            #[expect(unsafe_code, reason = "the level was checked when the program was built")]
-            // SAFETY: a program is built for no level that the processor does not have.
-            unsafe {
-                (step.run)(batch, &self.uniforms, &mut work, step.arg);
+            if self.raises_depth {
+                band.coarse.forget();
             }
-            return (batch.tex.n as u32).min(len);
+            return self.measure(step, batch, run, Work { planes, pool, band });
         }
-        let mut done = 0;
-        while len - done >= SPLIT {
-            let n = (len - done).min(LANES as u32);
+        let rest = |done: u32| {
             let (x, offset) = (run.x.wrapping_add(done as i32), run.offset.wrapping_add(done));
-            batch.segments[0] = Segment { start: 0, len: n, x, offset, row: true, ..run };
-            batch.segment_count = 1;
-            batch.tex.n = n as usize;
-            self.run(batch, planes, pool, band);
-            done += n;
+            Segment { start: 0, len: len - done, x, offset, row: true, ..run }
+        };
+        let mut done = 0;
+        // The first pixel that was worked on, and the first after those that were.
+        let (mut first, mut last) = (len, 0);
+        batch.alive = false;
+        while len - done >= SPLIT {
+            if let Some(step) = &self.hidden
+                && !batch.alive
+            {
+                // At the start of the run and where nothing was alive, something may be hidden.
+                done += self.measure(step, batch, rest(done), Work { planes, pool, band });
+            }
+            let n = (len - done).min(LANES as u32);
+            if n > 0 {
+                batch.segments[0] = Segment { len: n, ..rest(done) };
+                batch.segment_count = 1;
+                batch.tex.n = n as usize;
+                self.run(batch, planes, pool, band);
+                first = first.min(done);
+                done += n;
+                last = done;
+            }
+        }
+        if let Some(step) = &self.look
+            && first < last
+        {
+            let run = Segment { len: last - first, ..rest(first) };
+            self.measure(step, batch, run, Work { planes, pool, band });
         }
         done
+    }
+
+    /// Runs a stage over a run of any length, of which it does some pixels from the start on, and says how many.
+    #[inline]
+    fn measure(&self, step: &Step<FragFn>, batch: &mut FragmentBatch, run: Segment, work: Work<'_, '_>) -> u32 {
+        batch.segments[0] = run;
+        batch.segment_count = 1;
+        let mut work = work;
+        #[expect(unsafe_code, reason = "the level was checked when the program was built")]
+        // SAFETY: a program is built for no level that the processor does not have.
+        unsafe {
+            (step.run)(batch, &self.uniforms, &mut work, step.arg);
+        }
+        (batch.tex.n as u32).min(run.len)
     }
 
     /// The names of the stages in the order in which they run.

@@ -2,6 +2,7 @@
 //! so workers need no locks, and because a pixel lies in one band only, the number of workers changes no result.
 
 use super::Framebuffer;
+use super::coarse::{self, Coarse};
 use std::mem::take;
 
 /// Rows `y0..y0 + rows` of a framebuffer.
@@ -23,6 +24,8 @@ pub struct Band<'a> {
     pub float: &'a mut [[f32; 4]],
     /// Depths; empty where there is no depth buffer.
     pub depth: &'a mut [u32],
+    /// What is known of the depths of whole blocks; who raises a depth must say so ([`Coarse::forget`]).
+    pub coarse: Coarse<'a>,
     /// Stencil values; empty where there is no stencil buffer.
     pub stencil: &'a mut [u8],
     /// How many fragments passed the tests (occlusion queries); counted only by programs that were built to count.
@@ -34,9 +37,17 @@ impl Band<'_> {
     #[inline(always)]
     #[must_use]
     pub fn offset(&self, x: u32, y: u32) -> u32 {
-        let row = y.wrapping_sub(self.y0);
-        let row = if self.flipped { self.rows.wrapping_sub(1).wrapping_sub(row) } else { row };
+        let row = self.memory_row(y.cast_signed()) as u32;
         row.wrapping_mul(self.stride).wrapping_add(x)
+    }
+
+    /// Number of row y in the order of memory.
+    #[inline(always)]
+    #[must_use]
+    pub fn memory_row(&self, y: i32) -> usize {
+        let row = y.cast_unsigned().wrapping_sub(self.y0);
+        let row = if self.flipped { self.rows.wrapping_sub(1).wrapping_sub(row) } else { row };
+        row as usize
     }
 }
 
@@ -55,7 +66,8 @@ impl Framebuffer {
         let (width, stride, flipped, rows) = (self.width, self.stride, self.flipped, self.height);
         let (rgba8, float) = self.color.slices_mut();
         let (depth, stencil) = (&mut self.depth[..], &mut self.stencil[..]);
-        Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, stencil, samples: 0 }
+        let coarse = Coarse { limits: &mut self.coarse, columns: coarse::columns(width), forgotten: false };
+        Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, coarse, stencil, samples: 0 }
     }
 
     /// The framebuffer cut into bands of `rows` rows (the highest may have fewer), lowest first: row y is in band
@@ -65,6 +77,7 @@ impl Framebuffer {
         let (width, stride, flipped, height) = (self.width, self.stride, self.flipped, self.height);
         let (mut rgba8, mut float) = self.color.slices_mut();
         let (mut depth, mut stencil) = (&mut self.depth[..], &mut self.stencil[..]);
+        let (mut limits, columns) = (&mut self.coarse[..], coarse::columns(width));
         let count = height.div_ceil(rows);
         let mut bands = Vec::with_capacity(count as usize);
         for i in 0..count {
@@ -72,6 +85,7 @@ impl Framebuffer {
             let y0 = if flipped { count - 1 - i } else { i } * rows;
             let rows = rows.min(height - y0);
             let n = rows as usize * stride as usize;
+            let limits = cut(&mut limits, rows as usize * columns);
             bands.push(Band {
                 y0,
                 rows,
@@ -81,6 +95,7 @@ impl Framebuffer {
                 rgba8: cut(&mut rgba8, n),
                 float: cut(&mut float, n),
                 depth: cut(&mut depth, n),
+                coarse: Coarse { limits, columns, forgotten: false },
                 stencil: cut(&mut stencil, n),
                 samples: 0,
             });

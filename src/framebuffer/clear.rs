@@ -90,6 +90,7 @@ impl Framebuffer {
                     row.fill(value);
                 }
             }
+            self.coarse_cleared(rect, value);
         }
         if let Some((value, mask)) = clear.stencil {
             let runs = self.runs(rect, self.stencil.len());

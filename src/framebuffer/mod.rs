@@ -6,6 +6,7 @@ mod accum;
 mod band;
 mod clear;
 mod client;
+mod coarse;
 mod rows;
 
 pub use accum::AccumOp;
@@ -13,6 +14,7 @@ pub use band::Band;
 pub(crate) use clear::packed_mask;
 pub use clear::{Clear, Rect};
 pub use client::ClientMemory;
+pub use coarse::{BLOCK, Coarse};
 
 use crate::error::{Outcome, invalid_value, out_of_memory};
 use crate::limits::MAX_VIEWPORT_DIM;
@@ -90,6 +92,7 @@ pub struct Framebuffer {
     format: FramebufferFormat,
     color: ColorStore,
     depth: Vec<u32>,
+    coarse: Vec<u32>,
     stencil: Vec<u8>,
     accum: Vec<[f32; 4]>,
 }
@@ -137,6 +140,7 @@ impl Framebuffer {
             format,
             color,
             depth: Vec::new(),
+            coarse: Vec::new(),
             stencil: Vec::new(),
             accum: Vec::new(),
         }
@@ -186,8 +190,10 @@ impl Framebuffer {
         len: usize,
     ) -> Outcome<Self> {
         let depth = filled(if format.depth_bits == 0 { 0 } else { len }, format.depth_max(), "depth")?;
+        let blocks = if format.depth_bits == 0 { 0 } else { coarse::columns(width) * height as usize };
+        let coarse = filled(blocks, format.depth_max(), "coarse depth")?;
         let stencil = filled(if format.stencil_bits == 0 { 0 } else { len }, 0, "stencil")?;
-        Ok(Self { width, height, stride, flipped, format, color, depth, stencil, accum: Vec::new() })
+        Ok(Self { width, height, stride, flipped, format, color, depth, coarse, stencil, accum: Vec::new() })
     }
 
     /// Changes the size of a framebuffer in the library's memory; contents start anew, as in [`Framebuffer::new`].

@@ -2,7 +2,7 @@
 //! and DrawPixels move. A row may reach beyond the window on both sides; pixels outside are left as they are, as the
 //! specification leaves them undefined.
 
-use super::Framebuffer;
+use super::{Framebuffer, Rect};
 use crate::num::f32_to_u8;
 use std::ops::Range;
 
@@ -90,6 +90,7 @@ impl Framebuffer {
     /// Writes depths in [0, 1] to row `y` from `x` on.
     pub fn write_depth(&mut self, x: i32, y: i32, depths: &[f64]) {
         let Some((to, from)) = self.span(x, y, depths.len()) else { return };
+        self.coarse_cleared(Rect { x: 0, y: y.cast_unsigned(), width: self.width, height: 1 }, u32::MAX);
         let max = f64::from(self.format.depth_max());
         if let (Some(to), Some(from)) = (self.depth.get_mut(to), depths.get(from)) {
             for (z, &d) in to.iter_mut().zip(from) {

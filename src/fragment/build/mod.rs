@@ -13,7 +13,7 @@ use super::planes::Layout;
 use super::program::{Action, Decision, Fate, Options, Program};
 use super::stencil::StencilOp;
 use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
-use super::{alpha, depth, fill, stencil, texel};
+use super::{alpha, depth, depth_rows, fill, stencil, texel};
 use crate::batch::{Level, Stage, Step};
 use crate::enums::{GL_NONE, GL_NOOP};
 use crate::framebuffer::FramebufferFormat;
@@ -64,6 +64,9 @@ impl Program {
             uniforms: FragUniforms::default(),
             actions: Vec::new(),
             fill: None,
+            hidden: None,
+            look: None,
+            raises_depth: false,
             samplers: Vec::new(),
             environments: None,
             tally: None,
@@ -83,15 +86,25 @@ impl Builder<'_> {
         let count = self.options.count_samples;
         self.program.draws_nothing = !writes_color && !tests.depth_write && !tests.stencil_write && !count;
         let needs_color = writes_color || tests.alpha.is_some();
-        self.push(&depth::BEGIN, 0);
+        self.program.raises_depth = tests.depth_write && tests.depth.is_some_and(|func| !depth_rows::coarse(func));
         // With an alpha test and no stencil the depth test may still come first, if depths are written later.
         let early = tests.alpha.is_none() && !general;
         let early_depth = !early && !general && tests.stencil.is_none() && tests.depth.is_some();
+        let alone = (early || early_depth) && tests.stencil.is_none();
+        match tests.depth {
+            Some(func) if alone && func != Func::Always => {
+                self.early_depth(func, early && tests.depth_write, tests.depth_write)
+            }
+            _ => {
+                self.push(&depth::BEGIN, 0);
+                if early || early_depth {
+                    self.stencil_and_depth(&tests, early && tests.depth_write);
+                }
+            }
+        }
         if early {
-            self.stencil_and_depth(&tests, tests.depth_write);
             self.count_and_stop(&tests, count);
         } else if early_depth {
-            self.stencil_and_depth(&tests, false);
             self.program.actions.push(Action::StopIfDead);
         }
         if tests.stencil.is_some() || tests.depth.is_some() {
@@ -247,6 +260,22 @@ impl Builder<'_> {
         }
         if tests.stencil.is_some() && tests.stencil_write {
             self.push(&stencil::STENCIL_WRITE, 0);
+        }
+    }
+
+    /// The depth test as the first stage.
+    fn early_depth(&mut self, func: Func, write: bool, depth_write: bool) {
+        let arg = (func as u32) << 1 | if write { depth::WRITE } else { 0 };
+        self.push(&depth_rows::EARLY_DEPTH, arg);
+        self.program.reads_framebuffer = true;
+        if depth_rows::coarse(func) {
+            let step = |stage: &Stage<FragFn>| Step { name: stage.name, run: stage.levels[self.level as usize], arg };
+            self.program.hidden = Some(step(&depth_rows::HIDDEN));
+            self.program.look = depth_write.then(|| step(&depth_rows::LOOK));
+            let reason = "what lies behind whole blocks fails before any depth is read";
+            self.decide("coarse depth test", Fate::Kept, reason);
+        } else {
+            self.decide("coarse depth test", Fate::LeftOut, "the test may pass what lies behind");
         }
     }
 

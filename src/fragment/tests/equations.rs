@@ -337,7 +337,7 @@ fn a_program_says_what_it_does() {
     let p = program(Level::Baseline, &state, &format, Options::default());
     let names = p.stage_names();
     let at = |n: &str| names.iter().position(|s| *s == n).unwrap_or_else(|| panic!("{n} in {names:?}"));
-    assert!(at("DEPTH_TEST") < at("COLOR") && at("ALPHA_TEST") < at("DEPTH_WRITE"));
+    assert!(at("EARLY_DEPTH") < at("COLOR") && at("ALPHA_TEST") < at("DEPTH_WRITE"));
     assert!(p.reads_framebuffer);
     state.color_buffer.color_mask = [false; 4];
     state.depth.mask = false;

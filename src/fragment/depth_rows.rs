@@ -1,0 +1,189 @@
+//! The depth test on runs of a row (OpenGL 1.5, section 4.1.6): depth along a row, the test as the first stage of a
+//! program, and what the coarse depth buffer is good for. Depth along a row is monotonic, rounding included, so the depths
+//! at its two ends are its least and its greatest: a run whose nearest end lies behind what the coarse buffer says of its
+//! blocks is skipped unread. After a run the blocks that it has touched are looked at again.
+
+use super::batch::{FragmentBatch, Segment};
+use super::buffers::fresh_mask;
+use super::compare::{Func, any, compare};
+use super::depth::{WRITE, depths, quantise, test};
+use super::planes::Linear;
+use super::segments::{IOTA, Lane, ones, row_origin, single_row};
+use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::batch::{LANES, stage};
+use crate::framebuffer::{BLOCK, Band};
+
+/// Depth along a row.
+#[derive(Clone, Copy)]
+pub(super) struct Slope {
+    at: f64,
+    x: f64,
+    max: f64,
+}
+
+impl Slope {
+    /// Depth in the row y, relative to the primitive's origin.
+    #[inline(always)]
+    pub(super) fn new(z: &Linear, y: i32, max: f64) -> Self {
+        Self { at: z.at + z.y * f64::from(y), x: z.x, max }
+    }
+
+    /// The depth at x, relative to the primitive's origin.
+    #[inline(always)]
+    fn depth(&self, x: i32) -> u32 {
+        quantise(self.at + self.x * f64::from(x), self.max)
+    }
+
+    /// The depths from x on.
+    #[inline(always)]
+    pub(super) fn depths<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        if self.x == 0.0 {
+            // (at + 0 x) is at, or at with the sign of a zero changed.
+            *out = [quantise(self.at, self.max); N];
+        } else {
+            for i in 0..N {
+                out[i] = self.depth(x.wrapping_add(i as i32));
+            }
+        }
+    }
+
+    /// The least depth from x to `last`.
+    #[inline(always)]
+    fn least(&self, x: i32, last: i32) -> u32 {
+        // Where a sum may be infinity less infinity, or x has wrapped, nothing is known.
+        if !(self.at.is_finite() && self.x.is_finite()) || last < x {
+            return 0;
+        }
+        let (a, b) = (self.depth(x), self.depth(last));
+        if a < b { a } else { b }
+    }
+}
+
+/// Whether fragments from `least` on fail the test against all depths up to `limit`.
+#[inline(always)]
+fn fails(func: Func, least: u32, limit: u32) -> bool {
+    match func {
+        Func::Less => least >= limit,
+        Func::Lequal | Func::Equal => least > limit,
+        _ => false,
+    }
+}
+
+/// Whether the coarse depths are of use to a test: depths never rise, and what is behind them fails.
+pub(super) fn coarse(func: Func) -> bool {
+    matches!(func, Func::Less | Func::Lequal | Func::Equal)
+}
+
+/// How many pixels of a run, from its start on, fail the test because their blocks are nearer.
+#[inline(always)]
+pub(super) fn hidden(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, func: Func) -> u32 {
+    let Ok(start) = usize::try_from(run.x) else { return 0 };
+    let least = slope.least(x, x.wrapping_add(run.len.wrapping_sub(1).cast_signed()));
+    let end = start.saturating_add(run.len as usize);
+    let mut at = start;
+    for limit in band.coarse.row(band.memory_row(run.y)).iter().skip(start / BLOCK) {
+        if at >= end || !fails(func, least, *limit) {
+            break;
+        }
+        at = (at / BLOCK + 1) * BLOCK;
+    }
+    at.min(end).wrapping_sub(start) as u32
+}
+
+/// Tells the coarse buffer of the blocks that the first `len` pixels of a run touch.
+#[inline(always)]
+pub(super) fn look(band: &mut Band<'_>, run: &Segment, len: usize) {
+    let (Ok(x), row) = (usize::try_from(run.x), band.memory_row(run.y)) else { return };
+    let Some(start) = (run.offset as usize).checked_sub(x) else { return };
+    let Some(depths) = band.depth.get(start..).map(|d| d.get(..band.width as usize).unwrap_or(d)) else { return };
+    let (first, last) = (x / BLOCK, (x + len).div_ceil(BLOCK));
+    for (block, depths) in depths.chunks(BLOCK).enumerate().take(last).skip(first) {
+        let mut limit = 0;
+        if let Some(depths) = depths.first_chunk::<BLOCK>() {
+            for i in 0..BLOCK {
+                limit = if depths[i] > limit { depths[i] } else { limit };
+            }
+        } else {
+            for depth in depths {
+                limit = limit.max(*depth);
+            }
+        }
+        band.coarse.set(row, block, limit);
+    }
+}
+
+/// Writes where the mask is set.
+#[inline(always)]
+pub(super) fn put<const N: usize>(mask: &[u32; N], from: &[u32; N], to: &mut [u32; N]) {
+    if super::compare::all(mask) {
+        *to = *from;
+    } else {
+        for i in 0..N {
+            to[i] = u32::select(mask[i], from[i], to[i]);
+        }
+    }
+}
+
+/// All ones in the first `n` lanes.
+#[inline(always)]
+pub(super) fn lanes<const N: usize>(n: usize) -> [u32; N] {
+    let mut mask = [0; N];
+    for i in 0..N {
+        mask[i] = ones(IOTA[i] < n as f32);
+    }
+    mask
+}
+
+/// The test on a batch of one row; false, and nothing done, where it is none or where the buffer ends within 64 pixels.
+#[inline(always)]
+fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) -> bool {
+    let segment = b.segments[0];
+    let n = if segment.len < LANES as u32 { segment.len } else { LANES as u32 };
+    let Some(planes) = w.planes.get(segment.prim as usize) else { return false };
+    let Some(depth) = w.band.depth.get_mut(segment.offset as usize..).and_then(|r| r.first_chunk_mut::<LANES>()) else {
+        return false;
+    };
+    let func = Func::from_arg(arg >> 1);
+    let (x, y) = row_origin(&segment, planes);
+    let slope = Slope::new(&planes.z, y, u.depth_max);
+    slope.depths(x, &mut b.z);
+    b.tex.n = n as usize;
+    b.tex.mask = lanes(n as usize);
+    b.dense = false;
+    compare(func, &b.z, depth, &mut b.tex.mask);
+    b.alive = any(&b.tex.mask);
+    if arg & WRITE != 0 && b.alive {
+        put(&b.tex.mask, &b.z, depth);
+    }
+    true
+}
+
+stage! {
+    /// What [`BEGIN`](super::depth::BEGIN), [`DEPTH`](super::depth::DEPTH) and [`DEPTH_TEST`](super::depth::DEPTH_TEST)
+    /// do one after the other, at once for batches of one row.
+    pub(super) fn EARLY_DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        if single_row(b) && row(b, u, w, arg) {
+            return;
+        }
+        fresh_mask(b);
+        depths(b, u, w);
+        test(b, w, arg);
+    }
+
+    /// How many pixels of the run of the first segment, of any length, may be skipped from its start on; in `tex.n`.
+    pub(super) fn HIDDEN: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let segment = b.segments[0];
+        b.tex.n = 0;
+        if let Some(planes) = w.planes.get(segment.prim as usize) {
+            let (x, y) = row_origin(&segment, planes);
+            let slope = Slope::new(&planes.z, y, u.depth_max);
+            b.tex.n = hidden(w.band, &segment, &slope, x, Func::from_arg(arg >> 1)) as usize;
+        }
+    }
+
+    /// Tells the coarse buffer of what the run of the first segment has left behind.
+    pub(super) fn LOOK: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        let run = b.segments[0];
+        look(w.band, &run, run.len as usize);
+    }
+}

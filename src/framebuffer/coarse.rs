@@ -1,0 +1,70 @@
+//! The coarse depth buffer: for every block of 64 pixels of a row a depth that none of its pixels is beyond. A run of
+//! fragments that lies behind all its blocks fails LESS, LEQUAL and EQUAL (OpenGL 1.5, section 4.1.6) without any of its
+//! pixels being read. Integers of the depth buffer are compared; a limit may be too great, never too small. Clears set it,
+//! long runs look at what they have left behind, and what may raise depths forgets all.
+
+use super::{Framebuffer, Rect};
+
+/// Pixels of a block.
+pub const BLOCK: usize = 64;
+
+/// Blocks of a row of `width` pixels.
+pub(super) fn columns(width: u32) -> usize {
+    (width as usize).div_ceil(BLOCK)
+}
+
+/// The coarse depths of a band, rows in the order of memory.
+#[derive(Debug)]
+pub struct Coarse<'a> {
+    pub(super) limits: &'a mut [u32],
+    pub(super) columns: usize,
+    pub(super) forgotten: bool,
+}
+
+impl Coarse<'_> {
+    /// The limits of a row, counted in the order of memory from the band's first one.
+    #[inline(always)]
+    #[must_use]
+    pub fn row(&self, row: usize) -> &[u32] {
+        let first = row.wrapping_mul(self.columns);
+        self.limits.get(first..first.wrapping_add(self.columns)).unwrap_or(&[])
+    }
+
+    /// Says that no pixel of a block is beyond `limit`.
+    #[inline(always)]
+    pub fn set(&mut self, row: usize, block: usize, limit: u32) {
+        let at = row.wrapping_mul(self.columns).wrapping_add(block);
+        if block < self.columns
+            && let Some(old) = self.limits.get_mut(at)
+        {
+            *old = limit;
+            self.forgotten = false;
+        }
+    }
+
+    /// Says that depths may be raised anywhere in the band.
+    #[inline(always)]
+    pub fn forget(&mut self) {
+        if !self.forgotten {
+            self.limits.fill(u32::MAX);
+            self.forgotten = true;
+        }
+    }
+}
+
+impl Framebuffer {
+    /// A rectangle's depths have been set to `value`.
+    pub(super) fn coarse_cleared(&mut self, rect: Rect, value: u32) {
+        let columns = columns(self.width);
+        for y in rect.y..rect.y + rect.height {
+            let row = if self.flipped { self.height - 1 - y } else { y } as usize;
+            let limits = self.coarse.get_mut(row * columns..(row + 1) * columns).unwrap_or_default();
+            let (x0, x1) = (rect.x as usize, (rect.x + rect.width) as usize);
+            let end = x1.div_ceil(BLOCK);
+            for (block, limit) in limits.iter_mut().enumerate().take(end).skip(x0 / BLOCK) {
+                let covered = x0 <= block * BLOCK && x1 >= (block * BLOCK + BLOCK).min(self.width as usize);
+                *limit = if covered { value } else { value.max(*limit) };
+            }
+        }
+    }
+}
