@@ -37,7 +37,7 @@ impl Engine {
             accum: has(GL_ACCUM_BUFFER_BIT).then_some(s.accum.clear),
         };
         let scissor = self.scissor_rect();
-        self.framebuffer.clear(&clear, scissor)
+        self.framebuffer.clear_later(&clear, scissor)
     }
 
     /// The accumulation buffer is as large as the framebuffer and is made when it is used first (section 4.2.4).

@@ -113,6 +113,7 @@ impl Engine {
             let passed = self.scene.make_room(&mut self.framebuffer, self.config.threads);
             self.queries.passed += passed;
         }
+        self.framebuffer.settle();
     }
 
     /// Lets go of the plans of draws that are done, so that a texture that is written next is not held by them and need

@@ -7,7 +7,8 @@
 //! ```
 
 use super::batch::FragmentBatch;
-use super::pack::whole;
+use super::buffers::{load, places, store};
+use super::pack::whole_pixel;
 use super::uniforms::{BlendUniforms, FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::enums::*;
@@ -155,17 +156,38 @@ fn combine(b: &mut FragmentBatch, u: &FragUniforms, c: usize, f: impl Fn(f32, f3
 /// Blending of packed pixels in one loop: `f` of source and framebuffer in 0..=255, the source's channel and its alpha in
 /// [0, 1]. All are positive, so a sum of products needs a limit above only.
 #[inline(always)]
-fn packed(b: &mut FragmentBatch, or: u32, f: impl Fn(f32, f32, f32, f32) -> f32) {
-    let [red, green, blue, alpha] = &b.tex.previous;
+fn packed(
+    color: &[Lanes; 4],
+    dst: &[u32; LANES],
+    or: u32,
+    out: &mut [u32; LANES],
+    f: impl Fn(f32, f32, f32, f32) -> f32,
+) {
+    let [red, green, blue, alpha] = color;
     for i in 0..LANES {
-        let p = b.packed_dst[i];
+        let p = dst[i];
         let a = clamp01(alpha[i]);
         let channel = |v: f32, shift: u32| {
             let v = clamp01(v);
             let d = (p >> shift & 0xFF).cast_signed() as f32;
-            whole(min_f32(f(v * 255.0, d, v, a), 255.0)) << shift
+            min_f32(f(v * 255.0, d, v, a), 255.0)
         };
-        b.packed[i] = channel(red[i], 0) | channel(green[i], 8) | channel(blue[i], 16) | channel(alpha[i], 24) | or;
+        out[i] =
+            whole_pixel(channel(red[i], 0), channel(green[i], 8), channel(blue[i], 16), channel(alpha[i], 24)) | or;
+    }
+}
+
+/// The usual pairs of factors, by number (see [`PACKED_PAIRS`]).
+#[inline(always)]
+fn pair(color: &[Lanes; 4], dst: &[u32; LANES], u: &FragUniforms, out: &mut [u32; LANES], number: u32) {
+    let (unit, or) = (1.0 / u.scale, u.packed_or);
+    match number {
+        0 => packed(color, dst, or, out, |s, d, _, a| s * a + d * (1.0 - a)),
+        1 => packed(color, dst, or, out, |s, d, _, a| s + d * (1.0 - a)),
+        2 => packed(color, dst, or, out, |s, d, _, a| s * a + d),
+        3 => packed(color, dst, or, out, |s, d, _, _| s + d),
+        4 => packed(color, dst, or, out, |s, d, _, _| s * (d * unit)),
+        _ => packed(color, dst, or, out, |_, d, v, _| d * v),
     }
 }
 
@@ -193,15 +215,15 @@ stage! {
     /// The usual pairs of factors on packed pixels, by number (see [`PACKED_PAIRS`]): what [`BLEND`] between unpacking and
     /// packing gives, without the products by 0 and 1.
     pub(super) fn BLEND_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
-        let unit = 1.0 / u.scale;
-        match arg {
-            0 => packed(b, u.packed_or, |s, d, _, a| s * a + d * (1.0 - a)),
-            1 => packed(b, u.packed_or, |s, d, _, a| s + d * (1.0 - a)),
-            2 => packed(b, u.packed_or, |s, d, _, a| s * a + d),
-            3 => packed(b, u.packed_or, |s, d, _, _| s + d),
-            4 => packed(b, u.packed_or, |s, d, _, _| s * (d * unit)),
-            _ => packed(b, u.packed_or, |_, d, v, _| d * v),
-        }
+        pair(&b.tex.previous, &b.packed_dst, u, &mut b.packed, arg);
+    }
+
+    /// [`LOAD`](super::pack::LOAD), [`BLEND_PACKED`] and [`STORE`](super::pack::STORE) where nothing comes between them.
+    pub(super) fn BLEND_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let (mut dst, mut out) = ([0; LANES], [0; LANES]);
+        load(places!(b), w.band.rgba8, &mut dst);
+        pair(&b.tex.previous, &dst, u, &mut out, arg);
+        store(places!(b), &b.tex.mask, &out, w.band.rgba8);
     }
 }
 

@@ -2,6 +2,7 @@
 //! Nothing is read or written outside the band, whatever the segments say.
 
 use super::batch::{FragmentBatch, Segment};
+use super::compare::all;
 use super::segments::{CHUNK, Lane, Piece, before_lane, from_lane, ones, pieces, put, sanitise};
 use crate::batch::LANES;
 
@@ -90,14 +91,23 @@ fn at(segment: &Segment, offset: &[u32; LANES], lane: usize) -> usize {
     }
 }
 
+/// Writes neighbouring pixels where the mask is set; where all of it is, what was there is not read.
+#[inline(always)]
+pub(super) fn write<T: Lane, const N: usize>(mask: &[u32; N], from: &[T; N], to: &mut [T; N]) {
+    if all(mask) {
+        *to = *from;
+    } else {
+        for i in 0..N {
+            to[i] = T::select(mask[i], from[i], to[i]);
+        }
+    }
+}
+
 /// Writes the lanes whose mask is not 0.
 #[inline(always)]
 pub(super) fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T; LANES], to: &mut [T]) {
     if let Some(run) = one_row(places.segments).and_then(|at| to.get_mut(at..)).and_then(|r| r.first_chunk_mut()) {
-        let run: &mut [T; LANES] = run;
-        for i in 0..LANES {
-            run[i] = T::select(mask[i], from[i], run[i]);
-        }
+        write(mask, from, run);
         return;
     }
     if places.dense {

@@ -4,11 +4,11 @@
 //! blocks is skipped unread. After a run the blocks that it has touched are looked at again.
 
 use super::batch::{FragmentBatch, Segment};
-use super::buffers::fresh_mask;
+use super::buffers::{fresh_mask, write};
 use super::compare::{Func, any, compare};
 use super::depth::{WRITE, depths, quantise, test};
 use super::planes::Linear;
-use super::segments::{IOTA, Lane, ones, row_origin, single_row};
+use super::segments::{IOTA, ones, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::framebuffer::{BLOCK, Band};
@@ -112,18 +112,6 @@ pub(super) fn look(band: &mut Band<'_>, run: &Segment, len: usize) {
     }
 }
 
-/// Writes where the mask is set.
-#[inline(always)]
-pub(super) fn put<const N: usize>(mask: &[u32; N], from: &[u32; N], to: &mut [u32; N]) {
-    if super::compare::all(mask) {
-        *to = *from;
-    } else {
-        for i in 0..N {
-            to[i] = u32::select(mask[i], from[i], to[i]);
-        }
-    }
-}
-
 /// All ones in the first `n` lanes.
 #[inline(always)]
 pub(super) fn lanes<const N: usize>(n: usize) -> [u32; N] {
@@ -153,7 +141,7 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
     compare(func, &b.z, depth, &mut b.tex.mask);
     b.alive = any(&b.tex.mask);
     if arg & WRITE != 0 && b.alive {
-        put(&b.tex.mask, &b.z, depth);
+        write(&b.tex.mask, &b.z, depth);
     }
     true
 }

@@ -4,9 +4,10 @@
 //! Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
 use super::batch::{FragmentBatch, Segment};
+use super::buffers::write;
 use super::compare::{Func, any, compare};
 use super::depth::WRITE;
-use super::depth_rows::{Slope, coarse, hidden, lanes, look, put};
+use super::depth_rows::{Slope, coarse, hidden, lanes, look};
 use super::interpolate::primitive;
 use super::pack::Paint;
 use super::segments::row_origin;
@@ -50,7 +51,7 @@ impl Run {
             };
             color = Some((paint, pixels));
         }
-        if let Some((slope, func, write)) = &self.depth {
+        if let Some((slope, func, writes)) = &self.depth {
             let Some(depth) = w.band.depth.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
                 return Block::Outside;
             };
@@ -60,14 +61,14 @@ impl Run {
             if !any(&mask) {
                 return Block::Dead;
             }
-            if *write {
-                put(&mask, &z, depth);
+            if *writes {
+                write(&mask, &z, depth);
             }
         }
         if let Some((paint, pixels)) = color {
             let mut packed = [0; N];
             paint.pixels(x, &mut packed);
-            put(&mask, &packed, pixels);
+            write(&mask, &packed, pixels);
         }
         Block::Alive
     }

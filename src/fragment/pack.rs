@@ -11,6 +11,7 @@ use super::segments::{CHUNK, IOTA, pieces, positions, put, row_origin, single_ro
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::num::{clamp_f32, clamp01, round_to_int};
+use crate::texture::batch::Lanes;
 
 /// A channel in [0, 1] as a byte.
 #[inline(always)]
@@ -22,6 +23,17 @@ pub(super) fn byte(v: f32) -> u32 {
 #[inline(always)]
 pub(super) fn whole(v: f32) -> u32 {
     round_to_int(v).cast_unsigned()
+}
+
+/// Four values in 0..=255 as a pixel of bytes: [`pixel`] of [`whole`] of each. The bits of 1.5 * 2^23 that rounding leaves
+/// above a byte are taken off once for all; of blue and alpha the shift drops them.
+#[inline(always)]
+pub(super) fn whole_pixel(r: f32, g: f32, b: f32, a: f32) -> u32 {
+    const MAGIC: f32 = 12_582_912.0;
+    const LEFT: u32 = MAGIC.to_bits().wrapping_add(MAGIC.to_bits() << 8);
+    let bits = |v: f32| (v + MAGIC).to_bits();
+    let high = bits(b) << 16 | bits(a) << 24;
+    high.wrapping_add(bits(g) << 8).wrapping_add(bits(r)).wrapping_sub(LEFT)
 }
 
 /// Four bytes as a pixel.
@@ -56,10 +68,10 @@ impl Run {
         Self { at, x: p.nx as f32, c: p.c, min: clamp01(p.min), max: clamp01(p.max) }
     }
 
-    /// The byte of a value of the numerator, already multiplied with 1 / D.
+    /// 255 times the channel of a value of the numerator, already multiplied with 1 / D.
     #[inline(always)]
-    fn byte(&self, n: f32) -> u32 {
-        whole(clamp_f32(self.c + n, self.min, self.max) * 255.0)
+    fn times_255(&self, n: f32) -> f32 {
+        clamp_f32(self.c + n, self.min, self.max) * 255.0
     }
 }
 
@@ -123,16 +135,16 @@ impl Smooth {
             for i in 0..N {
                 let dx = x + IOTA[i];
                 let rw = 1.0 / (d_at + d_x * dx);
-                let v = |run: &Run| run.byte((run.at + run.x * dx) * rw);
-                let a = if OPAQUE { 0 } else { v(&alpha) };
-                out[i] = pixel(v(&red), v(&green), v(&blue), a) | self.or;
+                let v = |run: &Run| run.times_255((run.at + run.x * dx) * rw);
+                let a = if OPAQUE { 0.0 } else { v(&alpha) };
+                out[i] = whole_pixel(v(&red), v(&green), v(&blue), a) | self.or;
             }
         } else {
             for i in 0..N {
                 let dx = x + IOTA[i];
-                let v = |run: &Run| run.byte(run.at + run.x * dx);
-                let a = if OPAQUE { 0 } else { v(&alpha) };
-                out[i] = pixel(v(&red), v(&green), v(&blue), a) | self.or;
+                let v = |run: &Run| run.times_255(run.at + run.x * dx);
+                let a = if OPAQUE { 0.0 } else { v(&alpha) };
+                out[i] = whole_pixel(v(&red), v(&green), v(&blue), a) | self.or;
             }
         }
     }
@@ -191,6 +203,16 @@ fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, a
     }
 }
 
+/// Colours in [0, 1], packed.
+#[inline(always)]
+fn packed(color: &[Lanes; 4], or: u32, out: &mut [u32; LANES]) {
+    let [red, green, blue, alpha] = color;
+    let v = |v: f32| clamp01(v) * 255.0;
+    for i in 0..LANES {
+        out[i] = whole_pixel(v(red[i]), v(green[i]), v(blue[i]), v(alpha[i])) | or;
+    }
+}
+
 stage! {
     /// The interpolated primary colour, packed: what [`COLOR`](super::interpolate::COLOR) and [`PACK`] would give.
     pub(super) fn COLOR_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
@@ -208,17 +230,21 @@ stage! {
 
     /// The fragment's colour, packed.
     pub(super) fn PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
-        let [red, green, blue, alpha] = &b.tex.previous;
-        for i in 0..LANES {
-            b.packed[i] = pixel(byte(red[i]), byte(green[i]), byte(blue[i]), byte(alpha[i])) | u.packed_or;
-        }
+        packed(&b.tex.previous, u.packed_or, &mut b.packed);
+    }
+
+    /// [`PACK`] and [`STORE`] where nothing comes between them.
+    pub(super) fn PACK_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        let mut pixels = [0; LANES];
+        packed(&b.tex.previous, u.packed_or, &mut pixels);
+        store(places!(b), &b.tex.mask, &pixels, w.band.rgba8);
     }
 
     /// What blending gave, packed: it is in the store's unit and within its limits.
     pub(super) fn PACK_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         let [red, green, blue, alpha] = &b.dst;
         for i in 0..LANES {
-            b.packed[i] = pixel(whole(red[i]), whole(green[i]), whole(blue[i]), whole(alpha[i])) | u.packed_or;
+            b.packed[i] = whole_pixel(red[i], green[i], blue[i], alpha[i]) | u.packed_or;
         }
     }
 

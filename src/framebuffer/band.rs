@@ -1,8 +1,8 @@
 //! A band: some rows of the framebuffer, all buffers alike, lent to one worker. Bands of one framebuffer do not overlap,
 //! so workers need no locks, and because a pixel lies in one band only, the number of workers changes no result.
 
-use super::Framebuffer;
 use super::coarse::{self, Coarse};
+use super::{Filling, Framebuffer};
 use std::mem::take;
 
 /// Rows `y0..y0 + rows` of a framebuffer.
@@ -28,6 +28,8 @@ pub struct Band<'a> {
     pub coarse: Coarse<'a>,
     /// Stencil values; empty where there is no stencil buffer.
     pub stencil: &'a mut [u8],
+    /// A clear that is to be carried out first ([`Band::settle`]).
+    pub waiting: Option<Filling>,
     /// How many fragments passed the tests (occlusion queries); counted only by programs that were built to count.
     pub samples: u64,
 }
@@ -61,19 +63,24 @@ fn cut<'a, T>(rest: &mut &'a mut [T], n: usize) -> &'a mut [T] {
 }
 
 impl Framebuffer {
-    /// The whole framebuffer as one band.
+    /// The whole framebuffer as one band; no clear waits.
     pub fn band(&mut self) -> Band<'_> {
+        let waiting = self.waiting.take();
         let (width, stride, flipped, rows) = (self.width, self.stride, self.flipped, self.height);
         let (rgba8, float) = self.color.slices_mut();
         let (depth, stencil) = (&mut self.depth[..], &mut self.stencil[..]);
         let coarse = Coarse { limits: &mut self.coarse, columns: coarse::columns(width), forgotten: false };
-        Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, coarse, stencil, samples: 0 }
+        let mut band =
+            Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, coarse, stencil, waiting, samples: 0 };
+        band.settle();
+        band
     }
 
     /// The framebuffer cut into bands of `rows` rows (the highest may have fewer), lowest first: row y is in band
-    /// `y / rows`.
+    /// `y / rows`. A clear that waits is handed to each of them.
     pub fn bands(&mut self, rows: u32) -> Vec<Band<'_>> {
         let rows = rows.max(1);
+        let waiting = self.waiting.take();
         let (width, stride, flipped, height) = (self.width, self.stride, self.flipped, self.height);
         let (mut rgba8, mut float) = self.color.slices_mut();
         let (mut depth, mut stencil) = (&mut self.depth[..], &mut self.stencil[..]);
@@ -97,6 +104,7 @@ impl Framebuffer {
                 depth: cut(&mut depth, n),
                 coarse: Coarse { limits, columns, forgotten: false },
                 stencil: cut(&mut stencil, n),
+                waiting,
                 samples: 0,
             });
         }

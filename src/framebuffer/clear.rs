@@ -67,6 +67,7 @@ impl Framebuffer {
     /// Clears buffers inside `scissor`, or whole buffers. OUT_OF_MEMORY where the accumulation buffer cannot be made;
     /// then nothing is cleared.
     pub fn clear(&mut self, clear: &Clear, scissor: Option<Rect>) -> crate::error::Outcome {
+        self.settle();
         let all = self.rect(0, 0, i32::MAX, i32::MAX);
         let rect = match scissor {
             Some(r) => {
@@ -105,9 +106,13 @@ impl Framebuffer {
         Ok(())
     }
 
+    /// A colour as the buffer holds it: where it has no alpha, that is 1.
+    pub(super) fn stored(&self, color: [f32; 4]) -> [f32; 4] {
+        if self.format.color_bits[3] != 0 { color } else { [color[0], color[1], color[2], 1.0] }
+    }
+
     fn clear_color(&mut self, color: [f32; 4], mask: [bool; 4], rect: Rect) {
-        let has_alpha = self.format.color_bits[3] != 0;
-        let color = if has_alpha { color } else { [color[0], color[1], color[2], 1.0] };
+        let color = self.stored(color);
         let packed = u32::from_le_bytes(color.map(f32_to_u8));
         let bits = packed_mask(mask);
         let float = color.map(clamp01);

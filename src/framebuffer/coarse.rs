@@ -42,6 +42,12 @@ impl Coarse<'_> {
         }
     }
 
+    /// Says that all depths of the band are `value`.
+    pub fn cleared(&mut self, value: u32) {
+        self.limits.fill(value);
+        self.forgotten = false;
+    }
+
     /// Says that depths may be raised anywhere in the band.
     #[inline(always)]
     pub fn forget(&mut self) {

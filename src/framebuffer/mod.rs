@@ -7,6 +7,7 @@ mod band;
 mod clear;
 mod client;
 mod coarse;
+mod filling;
 mod rows;
 
 pub use accum::AccumOp;
@@ -15,6 +16,7 @@ pub(crate) use clear::packed_mask;
 pub use clear::{Clear, Rect};
 pub use client::ClientMemory;
 pub use coarse::{BLOCK, Coarse};
+pub use filling::Filling;
 
 use crate::error::{Outcome, invalid_value, out_of_memory};
 use crate::limits::MAX_VIEWPORT_DIM;
@@ -95,6 +97,8 @@ pub struct Framebuffer {
     coarse: Vec<u32>,
     stencil: Vec<u8>,
     accum: Vec<[f32; 4]>,
+    /// A clear of whole buffers that waits for what is drawn next.
+    waiting: Option<Filling>,
 }
 
 /// A buffer of `len` equal values, or OUT_OF_MEMORY.
@@ -143,6 +147,7 @@ impl Framebuffer {
             coarse: Vec::new(),
             stencil: Vec::new(),
             accum: Vec::new(),
+            waiting: None,
         }
     }
 
@@ -193,7 +198,19 @@ impl Framebuffer {
         let blocks = if format.depth_bits == 0 { 0 } else { coarse::columns(width) * height as usize };
         let coarse = filled(blocks, format.depth_max(), "coarse depth")?;
         let stencil = filled(if format.stencil_bits == 0 { 0 } else { len }, 0, "stencil")?;
-        Ok(Self { width, height, stride, flipped, format, color, depth, coarse, stencil, accum: Vec::new() })
+        Ok(Self {
+            width,
+            height,
+            stride,
+            flipped,
+            format,
+            color,
+            depth,
+            coarse,
+            stencil,
+            accum: Vec::new(),
+            waiting: None,
+        })
     }
 
     /// Changes the size of a framebuffer in the library's memory; contents start anew, as in [`Framebuffer::new`].

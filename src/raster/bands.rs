@@ -67,7 +67,9 @@ pub(super) fn flush<P: Shader>(
     // One thread, too, goes band by band where pixels are drawn over and over: a band stays in the cache.
     let area = u64::from(framebuffer.width()) * u64::from(height);
     let layered = geometry.pixels >= 2 * area && geometry.pixels >= 256 * geometry.prims.len() as u64;
-    if workers == 1 && !layered {
+    // So does a clear that waits, if most of what it fills is drawn into.
+    let clears = framebuffer.is_waiting() && geometry.pixels >= area / 2;
+    if workers == 1 && !layered && !clears {
         let mut band = framebuffer.band();
         if let Some(emitter) = emitters.first_mut() {
             let all = 0..u32::try_from(geometry.prims.len()).unwrap_or(u32::MAX);
@@ -124,6 +126,7 @@ impl<P: Shader> Flush<'_, P> {
     /// Walks primitives over a band.
     pub fn walk(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
         let rows = band.y0 as i32..band.y0.saturating_add(band.rows) as i32;
+        band.settle();
         to.begin(band, self.cut);
         let Some(first) = self.draws.first() else { return };
         let (planes, pool) = (&self.geometry.planes[..], self.geometry.pool.all());

@@ -1,6 +1,6 @@
 //! The end of a program: blending, logic op, colour mask and the store.
 
-use super::super::blend::{BLEND, BLEND_PACKED, Equation, Factor, packed_pair};
+use super::super::blend::{BLEND, BLEND_PACKED, BLEND_STORE, Equation, Factor, packed_pair};
 use super::super::program::Fate;
 use super::super::uniforms::BlendUniforms;
 use super::super::{float_store, logic_op, pack};
@@ -88,7 +88,21 @@ impl Builder<'_> {
             self.push(&float_store::STORE_FLOAT, 0);
             return;
         }
-        if blend.is_some() || logic_op.is_some() || masked || self.options.general {
+        let between = logic_op.is_some() || masked || self.options.general;
+        match blend {
+            Some(Blending::Packed(pair)) if !between => {
+                self.push(&BLEND_STORE, pair);
+                self.decide("store", Fate::Hoisted, "with blending: pixels are read, blended and written at once");
+                return;
+            }
+            None if !between && !packed => {
+                self.push(&pack::PACK_STORE, 0);
+                self.decide("store", Fate::Hoisted, "with rounding to the nearest; dithering is rounding");
+                return;
+            }
+            _ => {}
+        }
+        if blend.is_some() || between {
             self.push(&pack::LOAD, 0);
         }
         match blend {

@@ -1,0 +1,84 @@
+//! Clears that wait (OpenGL 1.5, section 4.2.3). A clear of whole buffers is only noted; when the next scene is drawn, each
+//! band is filled just before it is drawn into, while it is in the cache, by the worker that draws it. Whoever is about
+//! to look at the framebuffer without drawing carries the clear out first ([`Framebuffer::settle`]).
+
+use super::{Band, Clear, Framebuffer, Rect};
+use crate::num::{clamp01, f32_to_u8};
+
+/// What whole buffers are filled with.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Filling {
+    /// The colour, packed and as floats.
+    pub(super) color: Option<(u32, [f32; 4])>,
+    pub(super) depth: Option<u32>,
+    pub(super) stencil: Option<u8>,
+}
+
+impl Framebuffer {
+    /// [`clear`](Self::clear), which may wait where it fills whole buffers.
+    pub fn clear_later(&mut self, clear: &Clear, scissor: Option<Rect>) -> crate::error::Outcome {
+        self.settle();
+        let all = self.rect(0, 0, i32::MAX, i32::MAX);
+        let whole = scissor.is_none_or(|rect| rect == all)
+            && clear.accum.is_none()
+            && clear.color.is_none_or(|(_, mask)| mask == [true; 4])
+            && clear.stencil.is_none_or(|(_, mask)| mask == 0xFF);
+        if !whole {
+            return self.clear(clear, scissor);
+        }
+        self.waiting = Some(Filling {
+            color: clear.color.map(|(color, _)| {
+                let color = self.stored(color);
+                (u32::from_le_bytes(color.map(f32_to_u8)), color.map(clamp01))
+            }),
+            depth: clear.depth.map(|depth| self.depth_value(depth)),
+            stencil: clear.stencil.map(|(value, _)| value),
+        });
+        Ok(())
+    }
+
+    /// Whether a clear waits.
+    #[must_use]
+    pub fn is_waiting(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    /// Carries out the clear that waits.
+    pub fn settle(&mut self) {
+        if self.waiting.is_some() {
+            self.band();
+        }
+    }
+}
+
+/// Fills rows of `width`, `stride` apart, but nothing between them.
+fn fill<T: Copy>(pixels: &mut [T], value: T, width: u32, stride: u32) {
+    if width == stride {
+        pixels.fill(value);
+    } else {
+        for row in pixels.chunks_mut(stride.max(1) as usize) {
+            let width = row.len().min(width as usize);
+            if let Some(row) = row.get_mut(..width) {
+                row.fill(value);
+            }
+        }
+    }
+}
+
+impl Band<'_> {
+    /// Carries out the clear that waits for whoever draws into the band: to be called before that.
+    pub fn settle(&mut self) {
+        let Some(filling) = self.waiting.take() else { return };
+        if let Some((packed, float)) = filling.color {
+            fill(self.rgba8, packed, self.width, self.stride);
+            fill(self.float, float, self.width, self.stride);
+        }
+        if let Some(depth) = filling.depth {
+            fill(self.depth, depth, self.width, self.stride);
+            self.coarse.cleared(depth);
+        }
+        if let Some(stencil) = filling.stencil {
+            fill(self.stencil, stencil, self.width, self.stride);
+        }
+    }
+}
