@@ -91,10 +91,10 @@ fn at(segment: &Segment, offset: &[u32; LANES], lane: usize) -> usize {
     }
 }
 
-/// Writes neighbouring pixels where the mask is set; where all of it is, what was there is not read.
+/// Writes neighbouring pixels where the mask is set; if `full` says that all of it is, what was there is not read.
 #[inline(always)]
-pub(super) fn write<T: Lane, const N: usize>(mask: &[u32; N], from: &[T; N], to: &mut [T; N]) {
-    if all(mask) {
+pub(super) fn write<T: Lane, const N: usize>(full: bool, mask: &[u32; N], from: &[T; N], to: &mut [T; N]) {
+    if full {
         *to = *from;
     } else {
         for i in 0..N {
@@ -107,7 +107,7 @@ pub(super) fn write<T: Lane, const N: usize>(mask: &[u32; N], from: &[T; N], to:
 #[inline(always)]
 pub(super) fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T; LANES], to: &mut [T]) {
     if let Some(run) = one_row(places.segments).and_then(|at| to.get_mut(at..)).and_then(|r| r.first_chunk_mut()) {
-        write(mask, from, run);
+        write(all(mask), mask, from, run);
         return;
     }
     if places.dense {

@@ -76,24 +76,27 @@ pub(super) fn compare<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; 
     }
 }
 
+/// How many lanes are alive. The one way to ask: two reductions of other kinds over one mask (one of `|`, one of `&`) are
+/// compiled lane by lane.
+#[inline(always)]
+pub(super) fn living<const N: usize>(mask: &[u32; N]) -> u32 {
+    let mut n = 0u32;
+    for m in mask {
+        n = n.wrapping_sub(*m);
+    }
+    n
+}
+
 /// Whether any lane is alive.
 #[inline(always)]
 pub(super) fn any<const N: usize>(mask: &[u32; N]) -> bool {
-    let mut all = 0;
-    for m in mask {
-        all |= m;
-    }
-    all != 0
+    living(mask) != 0
 }
 
 /// Whether all lanes are alive.
 #[inline(always)]
 pub(super) fn all<const N: usize>(mask: &[u32; N]) -> bool {
-    let mut all = u32::MAX;
-    for m in mask {
-        all &= m;
-    }
-    all == u32::MAX
+    living(mask) == N as u32
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::{fresh_mask, write};
-use super::compare::{Func, any, compare};
+use super::compare::{Func, compare, living};
 use super::depth::{WRITE, depths, quantise, test};
 use super::planes::Linear;
 use super::segments::{IOTA, ones, row_origin, single_row};
@@ -139,9 +139,10 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
     b.tex.mask = lanes(n as usize);
     b.dense = false;
     compare(func, &b.z, depth, &mut b.tex.mask);
-    b.alive = any(&b.tex.mask);
+    let living = living(&b.tex.mask);
+    b.alive = living != 0;
     if arg & WRITE != 0 && b.alive {
-        write(&b.tex.mask, &b.z, depth);
+        write(living == LANES as u32, &b.tex.mask, &b.z, depth);
     }
     true
 }

@@ -5,7 +5,7 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::write;
-use super::compare::{Func, any, compare};
+use super::compare::{Func, compare, living};
 use super::depth::WRITE;
 use super::depth_rows::{Slope, coarse, hidden, lanes, look};
 use super::interpolate::primitive;
@@ -44,6 +44,7 @@ impl Run {
     #[inline(always)]
     fn block<const N: usize>(&self, w: &mut Work<'_, '_>, at: usize, x: i32, n: usize) -> Block {
         let mut mask = lanes::<N>(n);
+        let mut full = n == N;
         let mut color = None;
         if let Some(paint) = &self.paint {
             let Some(pixels) = w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
@@ -58,17 +59,19 @@ impl Run {
             let mut z = [0; N];
             slope.depths(x, &mut z);
             compare(*func, &z, depth, &mut mask);
-            if !any(&mask) {
+            let living = living(&mask);
+            if living == 0 {
                 return Block::Dead;
             }
+            full = living == N as u32;
             if *writes {
-                write(&mask, &z, depth);
+                write(full, &mask, &z, depth);
             }
         }
         if let Some((paint, pixels)) = color {
             let mut packed = [0; N];
             paint.pixels(x, &mut packed);
-            write(&mask, &packed, pixels);
+            write(full, &mask, &packed, pixels);
         }
         Block::Alive
     }

@@ -221,7 +221,7 @@ stage! {
         }
     }
 
-    /// [`COLOR_PACKED`] and [`STORE`] where no fragment can have been killed: full rows go straight to the pixels.
+    /// [`COLOR_PACKED`] and [`STORE`] where nothing comes between them.
     pub(super) fn COLOR_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(slot) = u.layout.color else { return };
         color_packed(b, slot, u.packed_or, w, arg);

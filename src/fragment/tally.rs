@@ -1,6 +1,6 @@
 //! Running a program and counting what it does: fragments into each stage, fragments that a test kills, texels, divisions,
 //! logarithms. The stages are those of the program, run over the same batches; a program that is counted only gives up
-//! the stage that fills whole runs, so that every stage can be seen.
+//! the stages that fill or skip whole runs, so that every stage can be seen.
 
 use super::batch::FragmentBatch;
 use super::interpolate::FIRST;
@@ -29,7 +29,7 @@ impl Program {
     /// The same program, which from now on counts what it does.
     #[must_use]
     pub fn counted(mut self, tally: &Tally) -> Self {
-        self.fill = None;
+        (self.fill, self.hidden) = (None, None);
         self.tally = Some(Tally::clone(tally));
         self
     }

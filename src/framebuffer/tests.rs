@@ -228,3 +228,74 @@ fn resizing_starts_anew() {
     f.resize(3, 1).unwrap();
     assert_eq!((f.width(), f.height(), row(&f, 0)), (3, 1, vec![0; 3]));
 }
+
+#[test]
+fn a_clear_that_waits_is_a_clear_and_leaves_gaps_alone() {
+    let clear = Clear {
+        color: Some(([0.2, 0.4, 0.6, 0.8], [true; 4])),
+        depth: Some(0.25),
+        stencil: Some((7, 0xFF)),
+        ..Clear::default()
+    };
+    for (flipped, stride) in [(false, 5), (true, 5), (false, 8), (true, 8)] {
+        let mut memory = [[9u32; 8 * 6]; 2];
+        for (later, memory) in memory.iter_mut().enumerate() {
+            #[expect(unsafe_code, reason = "memory of the test")]
+            // SAFETY: the array outlives the framebuffer and nobody else uses it meanwhile.
+            let client = unsafe { ClientMemory::new(memory.as_mut_ptr(), memory.len()) }.unwrap();
+            let mut f = Framebuffer::with_client_memory(5, 6, stride, flipped, format(), client).unwrap();
+            if later == 1 {
+                f.clear_later(&clear, None).unwrap();
+                assert!(f.is_waiting());
+                f.bands(4).iter_mut().for_each(Band::settle);
+            } else {
+                f.clear(&clear, None).unwrap();
+            }
+            assert!(!f.is_waiting());
+            let (mut d, mut s) = ([0.0; 5], [0; 5]);
+            f.read_depth(0, 5, &mut d);
+            f.read_stencil(0, 0, &mut s);
+            assert!(d.iter().all(|d| (d - 0.25).abs() < 1e-6) && s == [7; 5]);
+            assert!(f.coarse.iter().all(|limit| *limit == f.depth_value(0.25)));
+        }
+        assert_eq!(memory[0], memory[1]);
+        assert_ne!(memory[0][0], 9);
+        assert_eq!(memory[0][5..8], if stride == 8 { [9; 3] } else { [memory[0][0]; 3] });
+    }
+    let mut f = Framebuffer::new(4, 4, format()).unwrap();
+    for part in [
+        Clear { color: Some(([1.0; 4], [true, false, true, true])), ..clear },
+        Clear { stencil: Some((1, 0x7F)), ..clear },
+    ] {
+        f.clear_later(&part, None).unwrap();
+        assert!(!f.is_waiting(), "a mask protects something");
+    }
+    f.clear_later(&clear, Some(Rect { x: 0, y: 0, width: 4, height: 3 })).unwrap();
+    assert!(!f.is_waiting(), "a scissor box");
+    f.clear_later(&clear, Some(Rect { x: 0, y: 0, width: 4, height: 4 })).unwrap();
+    assert!(f.is_waiting());
+    f.settle();
+    assert_eq!(row(&f, 3), [0xCC99_6633; 4]);
+}
+
+#[test]
+fn coarse_depths_are_never_too_small() {
+    let mut f = Framebuffer::new(150, 3, format()).unwrap();
+    let depth = |value| Clear { depth: Some(value), ..Clear::default() };
+    f.clear(&depth(0.5), None).unwrap();
+    let [half, far] = [0.5, 0.75].map(|d| f.depth_value(d));
+    assert_eq!(f.coarse, [half; 9]);
+    f.clear(&depth(0.25), Some(Rect { x: 60, y: 1, width: 70, height: 1 })).unwrap();
+    let near = f.depth_value(0.25);
+    assert_eq!(f.coarse[3..6], [half, near, half], "only the block that is covered");
+    f.clear(&depth(0.75), Some(Rect { x: 140, y: 2, width: 10, height: 1 })).unwrap();
+    assert_eq!(f.coarse[6..], [half, half, far]);
+    f.write_depth(70, 1, &[0.9]);
+    assert!(f.coarse[3..6].iter().all(|limit| *limit == u32::MAX));
+    let mut band = f.band();
+    band.coarse.forget();
+    assert!(band.coarse.row(2).iter().all(|limit| *limit == u32::MAX));
+    band.coarse.set(2, 1, 17);
+    assert_eq!(band.coarse.row(2), [u32::MAX, 17, u32::MAX]);
+    assert_eq!(band.coarse.row(3), [0; 0]);
+}

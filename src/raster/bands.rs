@@ -25,10 +25,14 @@ const PAYS: u64 = 40_000;
 /// What a primitive costs besides its fragments, in fragments.
 const PRIMITIVE: u64 = 4;
 
+/// Bytes of colour and depth that a band has at most where that leaves enough rows: they stay in the second-level cache.
+const BAND: u32 = 512 << 10;
+
 /// Rows of a band: about 32 bands, so that workers end at about the same time, but not so low that large triangles are
 /// set up for their rows again and again.
-pub(super) fn band_rows(height: u32) -> u32 {
-    (height / 32).next_power_of_two().clamp(8, 64)
+pub(super) fn band_rows(width: u32, height: u32) -> u32 {
+    let fit = (BAND / 8 / width.clamp(1, BAND)).max(1);
+    (height / 32).next_power_of_two().min(1 << fit.ilog2()).clamp(8, 64)
 }
 
 /// A program with all that it works on.
@@ -59,7 +63,7 @@ pub(super) fn flush<P: Shader>(
 ) -> u64 {
     let geometry = flush.geometry;
     let height = framebuffer.height();
-    let rows = band_rows(height);
+    let rows = band_rows(framebuffer.width(), height);
     let count = height.div_ceil(rows) as usize;
     let work = geometry.pixels + PRIMITIVE * geometry.prims.len() as u64;
     let workers = threads.min(count).min(usize::try_from(work / PAYS).unwrap_or(1) + 1).max(1);

@@ -94,7 +94,7 @@ impl<P: Shader> Round<'_, P> {
         emitters: &mut Vec<Emitter>,
     ) -> u64 {
         let workers = owns.len().max(1);
-        let rows = bands::band_rows(framebuffer.height());
+        let rows = bands::band_rows(framebuffer.width(), framebuffer.height());
         let bands: Vec<_> = framebuffer.bands(rows).into_iter().map(Mutex::new).collect();
         emitters.resize_with(emitters.len().max(workers), Emitter::new);
         let all = pieces.count();

@@ -205,3 +205,52 @@ fn segments_that_lie_leave_the_band_alone() {
         }
     }
 }
+
+#[test]
+fn coarse_depths_change_no_bit() {
+    let mut r = Random::new(23);
+    let format = FramebufferFormat::default();
+    let (mut lowered, mut skipped) = (0, 0);
+    for case in 0..60 {
+        let mut scene = Scene::default();
+        let mut frames = [(); 2].map(|()| Framebuffer::new(200, 12, format).unwrap());
+        let level = r.pick(&Level::available().collect::<Vec<_>>());
+        for prim in 0..12 {
+            let z = if r.bool() {
+                [f64::from(r.below(1 << 24) as u32); 3]
+            } else {
+                std::array::from_fn(|_| r.unit() * 1.7e7)
+            };
+            let slots: Vec<_> = (0..4).map(|_| [r.unit(), r.unit(), r.unit()]).collect();
+            scene.push([0, 0], [200.0, 12.0], z, [1.0; 3], &slots);
+            let mut state = State::default();
+            state.depth.test = true;
+            state.depth.func = r.pick(&[GL_LESS, GL_LESS, GL_LEQUAL, GL_LEQUAL, GL_EQUAL, GL_GREATER, GL_ALWAYS]);
+            state.depth.mask = r.below(4) != 0;
+            state.color_buffer.alpha_test = r.below(4) == 0;
+            (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (GL_GREATER, 0.5);
+            // With blending there is no stage that fills.
+            state.color_buffer.blend = r.bool();
+            (state.color_buffer.blend_src, state.color_buffer.blend_dst) = ([GL_DST_COLOR; 2], [GL_SRC_ALPHA; 2]);
+            let (x, y) = (r.below(120) as u32, r.below(8) as u32);
+            let rects = [(prim, [x, y, 80 - r.below(40) as u32, 1 + r.below(4) as u32]), (prim, [0, 11, 200, 1])];
+            for (general, frame) in [true, false].into_iter().zip(&mut frames) {
+                let p = program(level, &state, &format, Options { general, ..Options::default() });
+                draw(&p, &scene, frame, if general { Feed::Rows } else { Feed::Runs }, &rects);
+                skipped += usize::from(p.hidden.is_some());
+            }
+            let [want, got] = frames.each_ref().map(contents);
+            assert!(want == got, "case {case} {level:?} primitive {prim}");
+            let max = f64::from(format.depth_max());
+            for (y, depths) in got.1.chunks(200).enumerate() {
+                let band = frames[1].band();
+                for (limit, depths) in band.coarse.row(y).iter().zip(depths.chunks(64)) {
+                    let greatest = depths.iter().map(|d| (f64::from_bits(*d) * max).round() as u32).max().unwrap();
+                    assert!(*limit >= greatest, "case {case} primitive {prim} row {y}: {limit} < {greatest}");
+                    lowered += usize::from(*limit < format.depth_max());
+                }
+            }
+        }
+    }
+    assert!(lowered > 500 && skipped > 200, "{lowered} {skipped}");
+}
