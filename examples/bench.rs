@@ -1,57 +1,68 @@
-//! The benchmark: what a fragment, a triangle and an upload cost, scene by scene, with one thread and with all of them.
+//! The benchmark: what a fragment, a triangle and an upload cost, scene by scene, in time and in instructions, and how cost
+//! grows with what is drawn.
 //!
 //! ```text
 //! cargo run --release --example bench [-- --quick] [--scenes S5,S7] [--threads 2] [--level avx2] [--size 1024]
 //!                                     [--seconds 1] [--frames 100]
 //! ```
 //!
-//! A frame is a scene drawn once or several times, and Finish. The cost is that of one drawing more: the difference of a
-//! long and a short frame, so that what a frame costs by itself does not count. Frames of either length and with either
-//! number of threads take turns, and the shortest of each counts: a machine that others use can only make them longer.
-//! With one thread the time is the processor's, with several the clock's.
-//! `--frames n` draws n short frames of each scene and measures nothing: for profilers.
+//! Without more it measures times: see `bench/timing.rs`. `--frames n` draws n short frames of each scene and measures
+//! nothing: for profilers. `--instructions` counts instructions a fragment or triangle with callgrind, where valgrind is
+//! installed; `--bless FILE` keeps the numbers and `--check FILE` compares with those that are kept
+//! (`bench/instructions.rs`). `--growth` prints how cost grows with fragments, triangles, texels, units and draws
+//! (`bench/growth.rs`).
 
+#[path = "bench/growth.rs"]
+mod growth;
+#[path = "bench/instructions.rs"]
+mod instructions;
 #[path = "bench/scenes.rs"]
 mod scenes;
+#[path = "bench/setups.rs"]
+mod setups;
 #[path = "bench/stage.rs"]
 mod stage;
+#[path = "bench/timing.rs"]
+mod timing;
 
 use fixedgl::batch::Level;
 use fixedgl::context::Config;
-use indicatif::{ProgressBar, ProgressStyle};
-use scenes::{SCENES, Scene, Unit};
-use stage::Stage;
-use std::process::exit;
-use std::time::{Duration, Instant};
+use scenes::{SCENES, Scene};
+use std::path::PathBuf;
+use std::process::{ExitCode, exit};
 
 const USAGE: &str = "usage: bench [--quick] [--scenes S5,S7] [--threads n] [--level baseline|avx2|avx512] [--size n] \
-                     [--seconds n] [--frames n] [--list]";
+                     [--seconds n] [--list | --frames n | --growth | --instructions | --bless FILE | --check FILE]";
+
+/// What is to be done.
+#[derive(Clone)]
+enum Task {
+    /// Times.
+    Times,
+    /// So many frames and nothing else.
+    Frames(u32),
+    /// How cost grows.
+    Growth,
+    /// How much memory a frame of so many triangles takes: what `--growth` runs in processes of their own.
+    Peak(usize),
+    /// Instructions: print them.
+    Instructions,
+    /// Keep them in a file.
+    Bless(PathBuf),
+    /// Compare them with a file.
+    Check(PathBuf),
+    /// The frames whose instructions are counted: what `--instructions` runs under callgrind.
+    Counted,
+}
 
 /// What the command line asks for.
 struct Options {
+    task: Task,
     scenes: Vec<&'static Scene>,
     threads: usize,
     level: Level,
     size: u32,
     seconds: f64,
-    frames: Option<u32>,
-}
-
-/// The least times of a frame, in seconds.
-#[derive(Clone, Copy)]
-struct Times {
-    first: f64,
-    short: f64,
-    long: f64,
-}
-
-/// A line of the table.
-struct Line {
-    scene: &'static Scene,
-    fragments: f64,
-    triangles: usize,
-    /// With one thread, and with all.
-    times: [Times; 2],
 }
 
 fn wrong(message: &str) -> ! {
@@ -61,15 +72,15 @@ fn wrong(message: &str) -> ! {
 
 fn options() -> Options {
     let config = Config::from_env();
-    let mut quick = false;
+    let (mut quick, mut size) = (false, None);
     let mut names: Option<Vec<String>> = None;
     let mut options = Options {
+        task: Task::Times,
         scenes: Vec::new(),
         threads: config.threads,
         level: config.level,
         size: 1024,
         seconds: 1.0,
-        frames: None,
     };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -85,9 +96,15 @@ fn options() -> Options {
             }
             "--scenes" => names = Some(value().split(',').map(String::from).collect()),
             "--threads" => options.threads = number::<usize>(&value()).clamp(1, 256),
-            "--size" => options.size = number::<u32>(&value()).clamp(16, 4096),
+            "--size" => size = Some(number::<u32>(&value()).clamp(16, 4096)),
             "--seconds" => options.seconds = number(&value()),
-            "--frames" => options.frames = Some(number(&value())),
+            "--frames" => options.task = Task::Frames(number(&value())),
+            "--growth" => options.task = Task::Growth,
+            "--peak" => options.task = Task::Peak(number(&value())),
+            "--instructions" => options.task = Task::Instructions,
+            "--bless" => options.task = Task::Bless(value().into()),
+            "--check" => options.task = Task::Check(value().into()),
+            "--counted" => options.task = Task::Counted,
             "--level" => {
                 let name = value();
                 options.level = Level::from_name(&name).unwrap_or_else(|| wrong(&format!("there is no level {name}")));
@@ -99,6 +116,8 @@ fn options() -> Options {
     if quick {
         options.seconds = options.seconds.min(0.4);
     }
+    let counts = matches!(options.task, Task::Instructions | Task::Bless(_) | Task::Check(_) | Task::Counted);
+    options.size = size.unwrap_or(if counts { instructions::SIZE } else { 1024 });
     if let Some(unknown) = names.iter().flatten().find(|name| SCENES.iter().all(|scene| scene.id != **name)) {
         wrong(&format!("there is no scene {unknown}; --list shows them"));
     }
@@ -110,125 +129,20 @@ fn options() -> Options {
     options
 }
 
-/// What the processor has spent on this thread, in seconds, where the system says it. It brings the number up to date
-/// whenever the thread yields.
-fn processor_time() -> Option<f64> {
-    std::thread::yield_now();
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    Some(text.split(' ').next()?.parse::<f64>().ok()? * 1e-9)
-}
-
-/// Draws a frame and says how long it took: with one thread the time of the processor, which others that use the machine
-/// lengthen less, else the time on the clock.
-fn frame(scene: &Scene, stage: &mut Stage, count: u32) -> f64 {
-    let alone = stage.gl.config().threads == 1;
-    let before = if alone { processor_time() } else { None };
-    let start = Instant::now();
-    for _ in 0..count {
-        (scene.draw)(stage);
-    }
-    stage.gl.finish();
-    let clock = start.elapsed().as_secs_f64();
-    match (before, before.and_then(|_| processor_time())) {
-        (Some(before), Some(after)) if after > before => after - before,
-        _ => clock,
-    }
-}
-
-/// A scene set up, its first frame drawn.
-fn prepare(scene: &Scene, options: &Options, threads: usize) -> (Stage, f64) {
-    let config = Config { threads, level: options.level, ..Config::default() };
-    let mut stage = Stage::new(options.size, config);
-    (scene.set_up)(&mut stage);
-    let first = frame(scene, &mut stage, 1);
-    if let Err(error) = stage.gl.check() {
-        eprintln!("{}: {error}", scene.id);
-        exit(1);
-    }
-    (stage, first)
-}
-
-fn measure(scene: &'static Scene, options: &Options) -> Line {
-    let mut stages = [1, options.threads].map(|threads| prepare(scene, options, threads));
-    let mut times = stages.each_ref().map(|(_, first)| Times { first: *first, short: f64::MAX, long: f64::MAX });
-    let end = Instant::now() + Duration::from_secs_f64(options.seconds.clamp(0.0, 3600.0));
-    let mut rounds = 0;
-    while rounds < 3 || Instant::now() < end {
-        for ((stage, _), times) in stages.iter_mut().zip(&mut times) {
-            times.short = times.short.min(frame(scene, stage, 1));
-            times.long = times.long.min(frame(scene, stage, scene.repeat));
-        }
-        rounds += 1;
-    }
-    let triangles = stages[0].0.triangles;
-    let fragments = match scene.unit {
-        Unit::Fragment(layers) if scene.id == "S1" => layers * f64::from(options.size) * f64::from(options.size),
-        Unit::Fragment(layers) => layers * stages[0].0.covered(scene.draw) as f64,
-        Unit::Triangle => stages[0].0.covered(scene.draw) as f64,
-        Unit::Million(_) => 0.0,
-    };
-    Line { scene, fragments, triangles, times }
-}
-
-/// Nanoseconds a unit; milliseconds a million.
-fn cost(line: &Line, times: Times) -> f64 {
-    let scene = line.scene;
-    let once = match scene.repeat {
-        0 | 1 => times.short,
-        n => (times.long - times.short).max(0.0) / f64::from(n - 1),
-    };
-    match scene.unit {
-        Unit::Fragment(_) => once * 1e9 / line.fragments.max(1.0),
-        Unit::Triangle => once * 1e9 / line.triangles.max(1) as f64,
-        Unit::Million(n) => once * 1e3 / n,
-    }
-}
-
-fn print(lines: &[Line], options: &Options) {
-    println!(
-        "{0} x {0}, {1:?}, ns a unit, the least of all repetitions; {2} threads on the right",
-        options.size, options.level, options.threads
-    );
-    println!("scene  fragments triangles  unit      target  1 thread  threads   gain  first/later  what");
-    for line in lines {
-        let unit = match line.scene.unit {
-            Unit::Fragment(_) => "fragment",
-            Unit::Triangle => "triangle",
-            Unit::Million(_) => "ms",
-        };
-        let [one, all] = line.times.map(|times| cost(line, times));
-        println!(
-            "{:5} {:>10} {:>9}  {unit:8} {:7.2} {one:9.2} {all:8.2} {:6.2} {:12.2}  {}",
-            line.scene.id,
-            line.fragments,
-            line.triangles,
-            line.scene.target,
-            one / all.max(1e-9),
-            line.times[0].first / line.times[0].short.max(1e-9),
-            line.scene.what
-        );
-    }
-}
-
-fn main() {
+fn main() -> ExitCode {
     let options = options();
-    if let Some(frames) = options.frames {
-        for scene in &options.scenes {
-            let (mut stage, _) = prepare(scene, &options, options.threads);
-            (0..frames).for_each(|_| _ = frame(scene, &mut stage, 1));
+    match &options.task {
+        Task::Times => timing::run(&options),
+        Task::Growth => growth::run(&options),
+        Task::Peak(n) => growth::peak(&options, *n),
+        Task::Frames(frames) => {
+            for scene in &options.scenes {
+                let (mut stage, _) = timing::prepare(scene, &options, options.threads);
+                (0..*frames).for_each(|_| _ = timing::frame(scene, &mut stage, 1));
+            }
         }
-        return;
+        Task::Counted => instructions::draw_counted(&options),
+        Task::Instructions | Task::Bless(_) | Task::Check(_) => return instructions::run(&options),
     }
-    let bar = ProgressBar::new(options.scenes.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
-        bar.set_style(style);
-    }
-    let mut lines = Vec::new();
-    for scene in &options.scenes {
-        bar.set_message(scene.what);
-        lines.push(measure(scene, &options));
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    print(&lines, &options);
+    ExitCode::SUCCESS
 }

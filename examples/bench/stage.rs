@@ -5,12 +5,23 @@ use fixedgl::Context;
 use fixedgl::context::Config;
 use fixedgl::enums::*;
 use fixedgl::num::{cos, sin};
+use std::collections::BTreeMap;
+use std::sync::Mutex;
 
 /// Degrees to radians.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// A vertex of a mesh: position, normal, texture coordinate.
 type Vertex = [f32; 8];
+
+/// Where the vertices of a mesh lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Arrays {
+    /// In memory of the program.
+    Client,
+    /// In buffer objects.
+    Buffers,
+}
 
 /// A context with what a scene draws.
 pub struct Stage {
@@ -30,6 +41,8 @@ pub struct Stage {
     pub vertices: Vec<Vertex>,
     /// Its triangles.
     pub indices: Vec<u32>,
+    /// Where its vertices lie.
+    arrays: Option<Arrays>,
     /// How many triangles one drawing has.
     pub triangles: usize,
     /// Texels to upload.
@@ -65,8 +78,14 @@ impl Default for Tex {
     }
 }
 
-/// Noise of seven scales, RGBA.
+/// Noise of seven scales, RGBA. It is kept: scenes ask for the same again and again.
 pub fn noise(size: usize, alpha: bool) -> Vec<u8> {
+    static KEPT: Mutex<BTreeMap<(usize, bool), Vec<u8>>> = Mutex::new(BTreeMap::new());
+    let Ok(mut kept) = KEPT.lock() else { return make_noise(size, alpha) };
+    kept.entry((size, alpha)).or_insert_with(|| make_noise(size, alpha)).clone()
+}
+
+fn make_noise(size: usize, alpha: bool) -> Vec<u8> {
     let hash = |x: usize, y: usize, c: usize, k: usize| {
         let h = (x >> k).wrapping_mul(0x9E37_79B1) ^ (y >> k).wrapping_mul(0x85EB_CA77) ^ (c * 31 + k);
         let h = (h ^ (h >> 15)).wrapping_mul(0x2C1B_3C6D);
@@ -99,6 +118,7 @@ impl Stage {
             slopes: [[0.0; 2]; 2],
             vertices: Vec::new(),
             indices: Vec::new(),
+            arrays: None,
             triangles: 2,
             upload: Vec::new(),
         }
@@ -110,13 +130,13 @@ impl Stage {
         self.gl.depth_func(func);
     }
 
-    /// Uploads a texture to the texture object of the active unit and enables its target.
-    pub fn texture(&mut self, tex: Tex) {
+    /// Uploads a texture to a new object of the active unit (faces of a cube map share one) and enables its target.
+    pub fn texture(&mut self, tex: Tex) -> u32 {
         let faces = GL_TEXTURE_CUBE_MAP_POSITIVE_X..=GL_TEXTURE_CUBE_MAP_NEGATIVE_Z;
         let target = if faces.contains(&tex.target) { GL_TEXTURE_CUBE_MAP } else { tex.target };
         let gl = &mut self.gl;
+        let mut name = [0];
         if target == GL_TEXTURE_2D {
-            let mut name = [0];
             gl.gen_textures(1, &mut name);
             gl.bind_texture(target, name[0]);
         }
@@ -133,6 +153,7 @@ impl Stage {
         let (n, texels) = (tex.size as i32, noise(tex.size, tex.alpha));
         gl.tex_image_2d(tex.target, 0, GL_RGBA8, n, n, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
         gl.enable(target);
+        name[0]
     }
 
     /// The quad's coordinates: so many of the texture a pixel, turned by an angle.
@@ -235,7 +256,7 @@ impl Stage {
     }
 
     /// A torus of 100,000 triangles before the viewer.
-    pub fn torus(&mut self) {
+    pub fn torus(&mut self, arrays: Arrays) {
         let (nu, nv) = (250, 200);
         self.lattice([nu, nv], |i, j| {
             let (u, w) = (360.0 * DEGREE * i as f64 / nu as f64, 360.0 * DEGREE * j as f64 / nv as f64);
@@ -249,31 +270,42 @@ impl Stage {
         self.gl.rotatef(-40.0, 1.0, 0.0, 0.0);
         self.depth(GL_LEQUAL);
         self.gl.enable(GL_CULL_FACE);
-        self.bind_mesh();
+        self.bind_mesh(arrays);
     }
 
-    /// Puts the mesh into buffer objects.
-    pub fn bind_mesh(&mut self) {
-        let gl = &mut self.gl;
-        let mut names = [0; 2];
-        gl.gen_buffers(2, &mut names);
-        gl.bind_buffer(GL_ARRAY_BUFFER, names[0]);
-        let flat = self.vertices.as_flattened();
-        gl.buffer_data(GL_ARRAY_BUFFER, size_of_val(flat) as isize, flat, GL_STATIC_DRAW);
-        gl.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, names[1]);
-        let bytes = size_of_val(&self.indices[..]) as isize;
-        gl.buffer_data(GL_ELEMENT_ARRAY_BUFFER, bytes, &self.indices, GL_STATIC_DRAW);
-        gl.vertex_pointer(3, GL_FLOAT, 32, 0usize);
-        gl.normal_pointer(GL_FLOAT, 32, 12usize);
-        gl.tex_coord_pointer(2, GL_FLOAT, 32, 24usize);
+    /// Makes the mesh the source of arrays.
+    pub fn bind_mesh(&mut self, arrays: Arrays) {
+        let (gl, flat) = (&mut self.gl, self.vertices.as_flattened());
+        if arrays == Arrays::Buffers {
+            let mut names = [0; 2];
+            gl.gen_buffers(2, &mut names);
+            gl.bind_buffer(GL_ARRAY_BUFFER, names[0]);
+            gl.buffer_data(GL_ARRAY_BUFFER, size_of_val(flat) as isize, flat, GL_STATIC_DRAW);
+            gl.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, names[1]);
+            let bytes = size_of_val(&self.indices[..]) as isize;
+            gl.buffer_data(GL_ELEMENT_ARRAY_BUFFER, bytes, &self.indices, GL_STATIC_DRAW);
+            gl.vertex_pointer(3, GL_FLOAT, 32, 0usize);
+            gl.normal_pointer(GL_FLOAT, 32, 12usize);
+            gl.tex_coord_pointer(2, GL_FLOAT, 32, 24usize);
+        } else {
+            gl.vertex_pointer(3, GL_FLOAT, 32, flat);
+            gl.normal_pointer(GL_FLOAT, 32, &flat[3..]);
+            gl.tex_coord_pointer(2, GL_FLOAT, 32, &flat[6..]);
+        }
         for array in [GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY] {
             gl.enable_client_state(array);
         }
+        self.arrays = Some(arrays);
     }
 
-    /// Draws the mesh from its buffer objects.
+    /// Draws the mesh from its arrays.
     pub fn mesh(&mut self) {
-        self.gl.draw_elements(GL_TRIANGLES, self.indices.len() as i32, GL_UNSIGNED_INT, 0usize);
+        let count = self.indices.len() as i32;
+        if self.arrays == Some(Arrays::Buffers) {
+            self.gl.draw_elements(GL_TRIANGLES, count, GL_UNSIGNED_INT, 0usize);
+        } else {
+            self.gl.draw_elements(GL_TRIANGLES, count, GL_UNSIGNED_INT, &self.indices);
+        }
     }
 
     /// How many pixels a scene covers: drawn once more in plain white.
