@@ -183,13 +183,3 @@ fn a_viewport_somewhere_with_a_depth_range() {
         assert!(f.share() < 2e-3 && f.drawn > 300, "{f:?}");
     }
 }
-
-#[test]
-fn a_rotation_that_is_repeated_does_not_drift() {
-    let mut cx = Context::new(4, 4);
-    for _ in 0..36_000 {
-        cx.rotatef(1.0, 1.0, 2.0, 3.0);
-    }
-    let m = matrix(&mut cx, GL_MODELVIEW_MATRIX);
-    assert!(distance(m, M4::IDENTITY) < 1e-9, "{m:?}");
-}

@@ -2,7 +2,6 @@
 //! guard band; edges that are cut must be the same for both triangles that share them.
 
 use crate::common::{any_size, bytes, counting, counts, emit, everywhere, floats, read};
-use crate::oracle::raster::{Triangle, Viewport, coverage_within};
 use crate::oracle::scene::Scene;
 use crate::oracle::vertex::Vertex;
 use crate::row::{Worst, rows};

@@ -6,8 +6,15 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 /// The parts of the page and their rows.
-const PARTS: &[(&str, &[Row])] =
-    &[("clip", crate::clip::ROWS), ("raster", crate::raster::ROWS), ("coords", crate::coords::ROWS)];
+const PARTS: &[(&str, &[Row])] = &[
+    ("clip", crate::clip::ROWS),
+    ("raster", crate::raster::ROWS),
+    ("coords", crate::coords::ROWS),
+    ("texels", crate::texels::ROWS),
+    ("lod", crate::lod::ROWS),
+    ("vertex", crate::vertex::ROWS),
+    ("fragment", crate::fragment::ROWS),
+];
 
 /// The table of a part, with figures where they are measured.
 fn table(rows: &[Row]) -> String {

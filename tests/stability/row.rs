@@ -88,7 +88,7 @@ impl Row {
 /// A figure with two digits.
 fn number(v: f64) -> String {
     if v == v.round() && v.abs() < 1e6 || (0.01..1000.0).contains(&v) {
-        let text = format!("{v:.2}");
+        let text = format!("{v:.3}");
         text.trim_end_matches('0').trim_end_matches('.').to_string()
     } else {
         format!("{v:.1e}")
