@@ -19,7 +19,7 @@ const PARTS: &[(&str, &[Row])] = &[
 /// The table of a part, with figures where they are measured.
 fn table(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| row | input | expected | formulation | allowed | worst | cases |\n|---|---|---|---|---|---|---|\n",
+        "| row | input | expected | formulation | allowed | worst | cases | random |\n|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let worst = row.measure();

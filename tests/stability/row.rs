@@ -21,7 +21,7 @@ pub struct Row {
 pub struct Worst {
     pub error: f64,
     pub cases: u64,
-    /// Numbers drawn at random among the cases.
+    /// How many inputs were drawn at random.
     pub fuzzed: u64,
     /// What the worst case was.
     pub place: String,
@@ -81,7 +81,7 @@ impl Row {
 
     /// The whole line.
     pub fn line(&self, worst: &Worst) -> String {
-        format!("{} {} | {} |", self.beginning(), number(worst.error), worst.cases)
+        format!("{} {} | {} | {} |", self.beginning(), number(worst.error), worst.cases, worst.fuzzed)
     }
 }
 
