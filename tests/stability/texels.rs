@@ -20,8 +20,10 @@ rows! {
         0.0, "wrong faces", "comparisons of the components; z before y before x";
     cube_oddities: "T12b", "the zero vector, NaN, infinities, ties of all signs", "undefined; ours: face +z for zero, a number everywhere", 0.0,
         "wrong pictures", "division by the greatest component or by 1";
-    odd_chains: "T13", "GENERATE_MIPMAP of ramps of every size 2 to 200 and 255, 257, 1000, 1023", "1 x 1 is the mean; a ramp stays at its place",
+    odd_chains: "T13", "GENERATE_MIPMAP of ramps of every size 2 to 200 and 255, 257, 1000, 1023", "a ramp stays at its place",
         0.03, "texels of the level", "three texels with weights (m - i, m, i + 1)/n where n is odd";
+    last_level: "T13b", "GENERATE_MIPMAP of noise of 16 bits, every size 2 to 300 in 1D, 40 random sizes in 2D", "1 x 1 is the mean of the image", 0.51,
+        "steps of 16 bits", "weights that are the share of each texel, floats down the chain";
     chain_means: "T14", "GENERATE_MIPMAP of noise, 12 sizes", "the mean of each level is that of the image", 0.5, "255ths",
         "levels from sums or floats, each rounded once";
     greatest_size: "T16", "a texture of 8192 texels, LINEAR; 8193 and more", "texel positions; INVALID_VALUE", 2e-3, "texels of 8192",
@@ -296,6 +298,34 @@ fn odd_chains(w: &mut Worst) {
                 w.see(off, || format!("N = {n}, level {step} texel {j}"));
             }
         }
+    }
+}
+
+fn last_level(w: &mut Worst) {
+    let mut random = Random(13);
+    let lines = (2..=300).map(|n| [n, 1]);
+    let sizes: Vec<[i32; 2]> = lines.chain((0..40).map(|_| [0; 2].map(|_: i32| 1 + random.below(90) as i32))).collect();
+    for [width, height] in sizes {
+        let mut cx = bytes(4, 4);
+        let noise: Vec<u16> = (0..width * height).map(|_| random.bits() as u16).collect();
+        let mean = noise.iter().map(|v| f64::from(*v) / 65535.0).sum::<f64>() / noise.len() as f64;
+        cx.pixel_storei(GL_UNPACK_ALIGNMENT, 2);
+        cx.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
+        cx.tex_image_2d(
+            GL_TEXTURE_2D,
+            0,
+            GL_LUMINANCE16 as i32,
+            width,
+            height,
+            0,
+            GL_LUMINANCE,
+            GL_UNSIGNED_SHORT,
+            &noise,
+        );
+        let last = width.max(height).ilog2() as i32;
+        let got = f64::from(level(&mut cx, GL_TEXTURE_2D, last, 1)[0]);
+        w.fuzzed += 1;
+        w.see((got - mean) * 65535.0, || format!("{width} x {height}: {got}, want {mean}"));
     }
 }
 
