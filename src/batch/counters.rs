@@ -20,9 +20,11 @@ pub struct StageCount {
 /// What was done since counting began.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Vertices that were transformed.
+    /// Vertices whose position was transformed.
     pub vertices: u64,
-    /// Triangles, lines and points that came out of assembly and clipping, culled ones not among them.
+    /// Vertices that were lit, and whose texture coordinates were made: those of primitives that can be seen.
+    pub vertices_valued: u64,
+    /// Triangles, lines and points that can be seen, before clipping.
     pub primitives: u64,
     /// Primitives that had to be clipped.
     pub clipped: u64,
@@ -69,16 +71,28 @@ impl Counters {
         }
     }
 
+    /// Adds what another one counted of vertices, primitives and levels.
+    pub fn add_vertices(&mut self, other: &Self) {
+        self.vertices += other.vertices;
+        self.vertices_valued += other.vertices_valued;
+        self.primitives += other.primitives;
+        self.clipped += other.clipped;
+        self.culled += other.culled;
+        self.outside += other.outside;
+        self.levels_built += other.levels_built;
+    }
+
     /// Adds to a tally, whatever became of another worker that held it.
     pub fn with(tally: &Tally, add: impl FnOnce(&mut Self)) {
         add(&mut tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner));
     }
 
     /// The sums by name, as a table shows them.
-    fn rows(&self) -> [(&'static str, u64); 11] {
+    fn rows(&self) -> [(&'static str, u64); 12] {
         [
             ("vertices transformed", self.vertices),
-            ("primitives drawn", self.primitives),
+            ("vertices lit and textured", self.vertices_valued),
+            ("primitives that can be seen", self.primitives),
             ("primitives clipped", self.clipped),
             ("triangles culled", self.culled),
             ("primitives outside the view", self.outside),

@@ -142,9 +142,11 @@ impl Engine {
         let simd = self.config.level;
         let below = self.bound_texture_mut(target).faces[face].get_mut(base + 1..).unwrap_or(&mut []);
         let levels = mipmap::levels(&image, last.saturating_sub(base), simd, below)?;
+        let built = levels.len() as u64;
         for (made, slot) in levels.into_iter().zip(below) {
             *slot = Some(Arc::new(made));
         }
+        self.textures.levels_built += built;
         self.dirty.add(Dirty { vertex: false, fragment: true, raster: false });
         Ok(())
     }

@@ -19,11 +19,13 @@ pub(crate) struct Textures {
     /// Names in use; `None` for a generated name that was not bound yet.
     named: HashMap<u32, Option<TextureObject>>,
     next: u32,
+    /// Mipmap levels that GENERATE_MIPMAP has built, for those who count.
+    pub(crate) levels_built: u64,
 }
 
 impl Default for Textures {
     fn default() -> Self {
-        Self { defaults: Target::ALL.map(TextureObject::new), named: HashMap::new(), next: 1 }
+        Self { defaults: Target::ALL.map(TextureObject::new), named: HashMap::new(), next: 1, levels_built: 0 }
     }
 }
 

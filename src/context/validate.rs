@@ -3,7 +3,7 @@
 //! that is not stale, and nothing else in the engine builds a plan.
 
 use super::engine::Engine;
-use crate::batch::Tally;
+use crate::batch::{Counters, Tally};
 use crate::enums::{GL_FILL, name};
 use crate::fragment::program::{Options, Program};
 use crate::limits::MAX_TEXTURE_UNITS;
@@ -69,8 +69,26 @@ impl Engine {
 
     /// Counts what is done from now on, or does not. Nothing may wait to be drawn.
     pub(crate) fn count_into(&mut self, tally: Option<Tally>) {
+        // What was done before counts for nobody.
+        _ = self.gather_counts();
         self.tally = tally;
         self.dirty.fragment = true;
+    }
+
+    /// Adds what vertices and primitives went through to the tally; gives all that it holds.
+    pub(crate) fn gather_counts(&mut self) -> Counters {
+        let mut counters = Counters::default();
+        for lane in std::iter::once(&mut self.pipe.lane).chain(&mut self.lanes) {
+            lane.chunk.counts.drain_into(&mut counters);
+        }
+        counters.levels_built = std::mem::take(&mut self.textures.levels_built);
+        let Some(tally) = &self.tally else { return Counters::default() };
+        let mut all = Counters::default();
+        Counters::with(tally, |tally| {
+            tally.add_vertices(&counters);
+            all.clone_from(tally);
+        });
+        all
     }
 
     /// Whether the texture of a unit can be sampled, with its rings filled. If not, a note says why.

@@ -89,9 +89,6 @@ impl Context {
     /// What was done since counting began, waiting draws included; zeros where nobody counts.
     pub fn counters(&mut self) -> Counters {
         self.engine.flush_scene();
-        let tally = self.engine.tally.as_ref();
-        tally.map_or_else(Counters::default, |tally| {
-            tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone()
-        })
+        self.engine.gather_counts()
     }
 }

@@ -11,6 +11,7 @@
 
 use super::Assembled;
 use super::clip::Clipper;
+use super::counts::Counts;
 use super::plan::VertexPlan;
 use super::pool::Pool;
 use crate::enums::*;
@@ -55,6 +56,13 @@ impl Primitive {
         self.ids
     }
 
+    /// Whether it must be clipped.
+    #[inline]
+    #[must_use]
+    pub fn clips(&self) -> bool {
+        self.clip
+    }
+
     /// Hands the primitive on.
     #[inline]
     pub fn hand_on<S: Assembled>(&self, plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper, sink: &mut S) {
@@ -93,6 +101,7 @@ pub struct Output<'a> {
     /// What the sink [culls](Assembled::culls).
     culls: [bool; 2],
     seen: &'a mut Vec<Primitive>,
+    counts: &'a mut Counts,
 }
 
 /// Twice the area of a triangle in the window, in 1/65536 pixel; exact for positions within the guard band.
@@ -110,9 +119,9 @@ fn nowhere(all: u32, any: u32) -> bool {
 
 impl<'a> Output<'a> {
     /// What works with a plan's vertices for a sink that culls.
-    pub fn new(plan: &VertexPlan, culls: [bool; 2], seen: &'a mut Vec<Primitive>) -> Self {
+    pub fn new(plan: &VertexPlan, culls: [bool; 2], seen: &'a mut Vec<Primitive>, counts: &'a mut Counts) -> Self {
         let edges = plan.needs & super::batch::needs::EDGE != 0;
-        Self { clip_mask: plan.clip_mask, edges, culls, seen }
+        Self { clip_mask: plan.clip_mask, edges, culls, seen, counts }
     }
 
     #[inline]
@@ -121,6 +130,7 @@ impl<'a> Output<'a> {
         let [a, b, c] = places.map(|place| place.outcode);
         let any = a | b | c;
         if nowhere(a & b & c, any) {
+            self.counts.outside += 1;
             return;
         }
         let clip = any & self.clip_mask != 0;
@@ -128,6 +138,7 @@ impl<'a> Output<'a> {
         if !clip && (positive | other) {
             let counter_clockwise = area(places.map(|place| place.snapped)) > 0;
             if if counter_clockwise { positive } else { other } {
+                self.counts.culled += 1;
                 return;
             }
         }
@@ -141,6 +152,8 @@ impl<'a> Output<'a> {
         if !nowhere(p.outcode & q.outcode, any) {
             let kind = Kind::Line { provoking, restart };
             self.seen.push(Primitive { ids: [a, b, b], kind, clip: any != 0 });
+        } else {
+            self.counts.outside += 1;
         }
     }
 
@@ -148,6 +161,8 @@ impl<'a> Output<'a> {
     fn point(&mut self, pool: &Pool, id: u32) {
         if pool.places([id; 3]).is_some_and(|[place, ..]| place.outcode == 0) {
             self.seen.push(Primitive { ids: [id; 3], kind: Kind::Point, clip: false });
+        } else {
+            self.counts.outside += 1;
         }
     }
 

@@ -8,6 +8,7 @@ use super::assemble::{Assembler, Output, Primitive};
 use super::batch::VertexBatch;
 use super::cache::Elements;
 use super::clip::Clipper;
+use super::counts::Counts;
 use super::plan::{VertFn, VertexPlan};
 use super::pool::Pool;
 use super::{Assembled, Source};
@@ -23,6 +24,8 @@ pub struct Chunk {
     assembler: Assembler,
     clipper: Clipper,
     seen: Vec<Primitive>,
+    /// What was done, for those who ask.
+    pub counts: Counts,
     /// Whether each vertex of the pool is used by something seen.
     used: Vec<bool>,
 }
@@ -35,6 +38,7 @@ impl Default for Chunk {
             assembler: Assembler::default(),
             clipper: Clipper::default(),
             seen: Vec::new(),
+            counts: Counts::default(),
             used: Vec::new(),
         }
     }
@@ -60,7 +64,7 @@ impl Chunk {
 
     /// Assembles vertices of the pool.
     pub fn feed(&mut self, plan: &VertexPlan, culls: [bool; 2], ids: &[u32]) {
-        self.assembler.feed(ids, &self.pool, &mut Output::new(plan, culls, &mut self.seen));
+        self.assembler.feed(ids, &self.pool, &mut Output::new(plan, culls, &mut self.seen, &mut self.counts));
     }
 
     /// Assembles the vertices of the pool from one on: those of a batch.
@@ -70,7 +74,7 @@ impl Chunk {
 
     /// Ends the primitive.
     pub fn end(&mut self, plan: &VertexPlan, culls: [bool; 2]) {
-        self.assembler.end(&self.pool, &mut Output::new(plan, culls, &mut self.seen));
+        self.assembler.end(&self.pool, &mut Output::new(plan, culls, &mut self.seen, &mut self.counts));
     }
 
     /// How many vertices the pool holds.
@@ -84,6 +88,7 @@ impl Chunk {
         let first = self.held();
         let (places, _) = plan.plan.steps.split_at(plan.places.min(plan.plan.steps.len()));
         run(plan, places, &mut self.batch);
+        self.counts.placed += self.batch.n as u64;
         self.pool.append(&self.batch);
         first
     }
@@ -95,6 +100,7 @@ impl Chunk {
         }
         let steps = plan.plan.steps.get(plan.places..).unwrap_or_default();
         run(plan, steps, &mut self.batch);
+        self.counts.valued += self.batch.n as u64;
         self.pool.fill(&self.batch, first..first + self.batch.n as u32);
     }
 
@@ -143,6 +149,7 @@ impl Chunk {
                 source.values(&of[..n], &mut self.batch);
                 self.batch.n = n;
                 run(plan, steps, &mut self.batch);
+                self.counts.valued += n as u64;
                 self.pool.fill(&self.batch, ids.into_iter().take(n));
                 n = 0;
             }
@@ -159,6 +166,8 @@ impl Chunk {
 
     /// Forgets what was seen and all vertices but those that the primitive still needs.
     pub fn clear(&mut self) {
+        self.counts.seen += self.seen.len() as u64;
+        self.counts.clipped += self.seen.iter().filter(|primitive| primitive.clips()).count() as u64;
         self.seen.clear();
         self.pool.keep(self.assembler.held());
     }

@@ -12,6 +12,7 @@ pub mod batch;
 pub mod cache;
 pub mod chunk;
 pub mod clip;
+pub mod counts;
 pub mod lane;
 pub mod lighting;
 pub mod material;

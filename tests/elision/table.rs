@@ -301,6 +301,20 @@ pub const ROWS: &[Row] = &[
         count: |w| w.counters.fragments,
     },
     Row {
+        name: "clipping, where the whole primitive is inside",
+        state: |_| {},
+        left_out: |gl| quad_with(gl, |gl, _, [x, y]| gl.vertex3f(x, y, 1.0)),
+        near_miss: |gl| quad_with(gl, |gl, i, [x, y]| gl.vertex3f(x, y, if i == 1 { ONE_AND_A_BIT } else { 1.0 })),
+        count: |w| w.counters.clipped,
+    },
+    Row {
+        name: "lighting and coordinates of vertices that nothing seen uses",
+        state: |gl| gl.enable(GL_CULL_FACE),
+        left_out: |gl| (gl.cull_face(GL_FRONT), quad(gl)).1,
+        near_miss: |gl| (gl.cull_face(GL_BACK), quad(gl)).1,
+        count: |w| w.counters.vertices_valued,
+    },
+    Row {
         name: "fragments of the side that is culled",
         state: |gl| gl.enable(GL_CULL_FACE),
         left_out: |gl| (gl.cull_face(GL_FRONT), quad(gl)).1,
