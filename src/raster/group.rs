@@ -91,7 +91,7 @@ impl Group {
             (quad[0][lane], quad[1][lane], quad[2][lane]) = (*qa, *qb, *qc);
         }
         let whole = count / 4;
-        if let Some(quad) = self.quads.get_mut(whole).filter(|_| count % 4 != 0) {
+        if let Some(quad) = self.quads.get_mut(whole).filter(|_| !count.is_multiple_of(4)) {
             for (corner, (v, rest)) in v.iter().zip([a, b, c]).enumerate() {
                 if let Some(last) = count.checked_sub(4).and_then(|at| v.slots.get(at..)?.first_chunk()) {
                     quad[corner][lane] = *last;

@@ -9,7 +9,7 @@ use super::emit::Emitter;
 use super::geometry::Geometry;
 use super::plane::Recipe;
 use super::scene::{Builder, Draw, Shader};
-use crate::framebuffer::Framebuffer;
+use crate::framebuffer::{Band, Framebuffer};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, RwLock};
 
@@ -140,7 +140,13 @@ impl<P: Shader> Round<'_, P> {
                 work(own, emitter);
             }
         });
-        bands.iter().filter_map(|band| Some(band.lock().ok()?.samples)).sum()
+        let passed = |band: &Mutex<Band<'_>>| {
+            let mut band = band.lock().ok()?;
+            // A draw without pieces walks over no band, but a clear that waits must not get lost.
+            band.settle();
+            Some(band.samples)
+        };
+        bands.iter().filter_map(passed).sum()
     }
 
     /// Sets up a piece and files its primitives in their bands.

@@ -274,7 +274,7 @@ fn texels_at(found: &mut [u32; LANES], image: &MipLevel, at: &[u32; LANES]) {
 /// Wraps s and t, and fetches the nearest texel of every lane.
 #[inline(always)]
 fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-    let (across, up) = (arg & REPEATS != 0, arg & 2 * REPEATS != 0);
+    let (across, up) = (arg & REPEATS != 0, arg & (2 * REPEATS) != 0);
     let pass = usize::from(arg & SECOND != 0);
     let TexBatch { coord: [s, t, _], limit, work, .. } = b;
     if let Some(image) = work.same[pass].and_then(|same| u.images.get(same))
