@@ -6,6 +6,7 @@
 use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
 use super::scene::{Draw, Shader};
+use crate::batch::Level;
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};
 use crate::framebuffer::{Band, Framebuffer};
@@ -18,6 +19,8 @@ pub(super) struct Flush<'a, P> {
     pub draws: &'a [Arc<Draw<P>>],
     pub geometry: &'a Geometry,
     pub cut: usize,
+    /// What emitters work at.
+    pub level: Level,
 }
 
 /// Work, in fragments, from which on more than one thread pays: starting a thread takes about as long as a few thousand.
@@ -67,7 +70,7 @@ pub(super) fn flush<P: Shader>(
     let count = height.div_ceil(rows) as usize;
     let work = geometry.pixels + PRIMITIVE * geometry.prims.len() as u64;
     let workers = threads.min(count).min(usize::try_from(work / PAYS).unwrap_or(1) + 1).max(1);
-    emitters.resize_with(emitters.len().max(workers), Emitter::new);
+    emitters.resize_with(emitters.len().max(workers), || Emitter::new(flush.level));
     // One thread, too, goes band by band where pixels are drawn over and over: a band stays in the cache.
     let area = u64::from(framebuffer.width()) * u64::from(height);
     let layered = geometry.pixels >= 2 * area && geometry.pixels >= 256 * geometry.prims.len() as u64;
@@ -173,23 +176,7 @@ impl<P: Shader> Flush<'_, P> {
                     // Rows beyond the band are another worker's.
                     bits &= u64::MAX.checked_shr(64 - 8 * (rows.end - row).clamp(0, 8).unsigned_abs()).unwrap_or(0);
                 }
-                if stipple.is_none() && to.mask(x, row, bits) {
-                    return;
-                }
-                while bits != 0 {
-                    let mut byte = bits as u32 & 0xFF;
-                    let mut at = x;
-                    while byte != 0 {
-                        let skip = byte.trailing_zeros();
-                        let len = (byte >> skip).trailing_ones();
-                        at += skip as i32;
-                        to.short_run(at, row, len as i32, 1.0, sink);
-                        at += len as i32;
-                        byte >>= skip + len;
-                    }
-                    bits >>= 8;
-                    row += 1;
-                }
+                to.mask(x, row, bits, sink);
             }
             Cover::Edges(i) => {
                 let Some(edges) = geometry.edges.get(i as usize) else { return };

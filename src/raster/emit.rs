@@ -4,7 +4,7 @@
 //! may not share a batch. Where a batch is cut changes no bit of the result. Long runs go past the batch straight to the
 //! sink, so that nearly all batches of a large primitive are one row.
 
-use crate::batch::LANES;
+use crate::batch::{LANES, Level, stage};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::framebuffer::Band;
 
@@ -20,6 +20,37 @@ pub trait Sink {
 /// Runs from this length on become row segments.
 const ROW: usize = 16;
 
+/// Where dense lanes are, in the form in which they are appended: a place, which many lanes share, and the pixel of an 8 by
+/// 8 block there. What is written beyond the lanes in use is overwritten by the next ones.
+#[derive(Debug)]
+#[repr(C, align(64))]
+struct Pending {
+    /// Offset of the block's first pixel, and its distance from the primitive's origin.
+    offset: [u32; LANES + 8],
+    x: [i32; LANES + 8],
+    y: [i32; LANES + 8],
+    /// 8 row + column.
+    pixel: [u8; LANES + 8],
+    /// Of one row up.
+    step: u32,
+}
+
+/// Writes offsets and positions of all dense lanes of a batch.
+type SpreadFn = unsafe fn(&Pending, &mut FragmentBatch);
+
+stage! {
+    /// The lanes of a batch where they are to be found.
+    fn SPREAD: SpreadFn = (p: &Pending, b: &mut FragmentBatch) {
+        for i in 0..LANES {
+            let pixel = u32::from(p.pixel[i]);
+            let (column, row) = (pixel & 7, pixel >> 3);
+            b.offset[i] = p.offset[i].wrapping_add(p.step.wrapping_mul(row)).wrapping_add(column);
+            b.dx[i] = p.x[i].wrapping_add(column as i32) as f32;
+            b.dy[i] = p.y[i].wrapping_add(row as i32) as f32;
+        }
+    }
+}
+
 /// The fragments to come, and where they go in the band.
 #[derive(Debug)]
 pub struct Emitter {
@@ -30,6 +61,10 @@ pub struct Emitter {
     row_from: i32,
     /// Which pixels the batch may hold already: bit x mod 64 of word y mod 64.
     seen: [u64; 64],
+    pending: Box<Pending>,
+    /// Whether lanes are pending.
+    dense: bool,
+    spread: SpreadFn,
     cut: usize,
     /// Offset of pixel (0, 0), and of one row up, in wrapping arithmetic.
     base: u32,
@@ -42,17 +77,16 @@ pub struct Emitter {
     origin: [i32; 2],
 }
 
-impl Default for Emitter {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl Emitter {
-    /// An emitter with an empty batch.
+    /// An emitter with an empty batch, which works at a level or the highest that the processor has.
     #[must_use]
-    pub fn new() -> Self {
+    pub fn new(level: Level) -> Self {
+        const N: usize = LANES + 8;
+        let pending = Pending { offset: [0; N], x: [0; N], y: [0; N], pixel: [0; N], step: 0 };
         Self {
+            pending: Box::new(pending),
+            dense: false,
+            spread: SPREAD.levels[level.at_most_available() as usize],
             batch: Box::default(),
             row: Box::default(),
             row_from: i32::MAX,
@@ -90,6 +124,15 @@ impl Emitter {
     /// Hands on what there is.
     pub fn finish(&mut self, sink: &mut impl Sink) {
         if self.batch.tex.n > 0 {
+            if self.dense {
+                self.pending.step = self.step;
+                self.dense = false;
+                #[expect(unsafe_code, reason = "the level was checked when the emitter was made")]
+                // SAFETY: an emitter is made for no level that the processor does not have.
+                unsafe {
+                    (self.spread)(&self.pending, &mut self.batch);
+                }
+            }
             sink.run(&mut self.batch);
             self.batch.tex.n = 0;
             self.batch.segment_count = 0;
@@ -113,13 +156,6 @@ impl Emitter {
             x += done;
             len -= done;
         }
-        self.short_run(x, y, len, coverage, sink);
-    }
-
-    /// The same for runs that must come in batches.
-    #[inline]
-    pub fn short_run(&mut self, x: i32, y: i32, len: i32, coverage: f32, sink: &mut impl Sink) {
-        let (mut x, mut len) = (x, len);
         while len > 0 {
             let room = (self.cut - self.batch.tex.n.min(self.cut)) as i32;
             let take = len.min(room);
@@ -146,62 +182,76 @@ impl Emitter {
         }
     }
 
-    /// Appends the pixels of a mask of 8 by 8 whose rows are runs without gaps; false, and nothing done, where there is no
-    /// room, a pixel is in the batch already, or fragments carry coverage: then the rows must be appended one by one.
+    /// Appends the pixels of a mask of 8 by 8.
     #[inline]
-    pub fn mask(&mut self, x: i32, y: i32, bits: u64) -> bool {
-        let b = &mut *self.batch;
-        let start = b.tex.n;
-        // Rows are written eight lanes at a time, so that many must be free behind the last one.
-        let count = bits.count_ones() as usize;
-        if start + count > self.cut.min(LANES - 8) || self.smooth {
-            return false;
+    pub fn mask(&mut self, x: i32, y: i32, bits: u64, sink: &mut impl Sink) {
+        if self.sees(x, y, bits) && self.ordered {
+            self.finish(sink);
+            self.sees(x, y, bits);
         }
-        let turn = x as u32 & 63;
         let mut rest = bits;
-        let mut row = y as usize;
-        while rest != 0 && self.ordered {
-            if self.seen[row & 63] & (rest & 0xFF).rotate_left(turn) != 0 {
-                return false;
+        while rest != 0 {
+            if self.batch.tex.n >= self.cut {
+                self.finish(sink);
+                self.sees(x, y, rest);
             }
+            rest = self.append_pixels(x, y, rest);
+        }
+    }
+
+    /// Notes the pixels of a mask as seen, and says whether one was so already.
+    #[inline]
+    fn sees(&mut self, x: i32, y: i32, bits: u64) -> bool {
+        let turn = x as u32 & 63;
+        let (mut rest, mut row, mut twice) = (bits, y as usize, 0);
+        while rest != 0 {
+            let pixels = (rest & 0xFF).rotate_left(turn);
+            let seen = &mut self.seen[row & 63];
+            twice |= *seen & pixels;
+            *seen |= pixels;
             rest >>= 8;
             row += 1;
         }
-        let mut n = start;
-        let mut rest = bits;
-        let mut y = y;
-        let mut first = self.base.wrapping_add(self.step.wrapping_mul(y as u32)).wrapping_add(x as u32);
-        let dx = x.wrapping_sub(self.origin[0]);
-        while rest != 0 {
-            let byte = rest as u32 & 0xFF;
-            if byte != 0 {
-                self.seen[y as usize & 63] |= u64::from(byte).rotate_left(turn);
-                let skip = byte.trailing_zeros();
-                let len = (byte >> skip).trailing_ones();
-                let offset = first.wrapping_add(skip);
-                let (dx, dy) = (dx.wrapping_add(skip as i32) as f32, y.wrapping_sub(self.origin[1]) as f32);
-                let offsets = b.offset.get_mut(n..).and_then(|l| l.first_chunk_mut::<8>());
-                let dxs = b.dx.get_mut(n..).and_then(|l| l.first_chunk_mut::<8>());
-                let dys = b.dy.get_mut(n..).and_then(|l| l.first_chunk_mut::<8>());
-                let (Some(offsets), Some(dxs), Some(dys)) = (offsets, dxs, dys) else { return false };
-                for i in 0..8 {
-                    offsets[i] = offset.wrapping_add(i as u32);
-                    dxs[i] = dx + i as f32;
-                    dys[i] = dy;
-                }
-                n += len as usize;
-            }
-            rest >>= 8;
-            y = y.wrapping_add(1);
-            first = first.wrapping_add(self.step);
+        twice != 0
+    }
+
+    /// Appends pixels of a mask until the batch is full; returns the rest.
+    #[inline]
+    fn append_pixels(&mut self, x: i32, y: i32, bits: u64) -> u64 {
+        let offset = self.offset(x, y);
+        let (x, y) = (x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1]));
+        let (b, p) = (&mut *self.batch, &mut *self.pending);
+        let (start, end) = (b.tex.n, self.cut.min(LANES));
+        let (mut n, mut rest) = (start, bits);
+        while n < end && rest != 0 {
+            p.pixel[n] = rest.trailing_zeros() as u8;
+            rest &= rest - 1;
+            n += 1;
         }
+        // Eight lanes at a time, so that the few of most triangles need no loop.
+        let mut at = start;
+        while at < n {
+            let (Some(offsets), Some(xs), Some(ys)) = (
+                p.offset.get_mut(at..).and_then(|l| l.first_chunk_mut::<8>()),
+                p.x.get_mut(at..).and_then(|l| l.first_chunk_mut::<8>()),
+                p.y.get_mut(at..).and_then(|l| l.first_chunk_mut::<8>()),
+            ) else {
+                break;
+            };
+            (*offsets, *xs, *ys) = ([offset; 8], [x; 8], [y; 8]);
+            at += 8;
+        }
+        if self.smooth {
+            b.coverage.iter_mut().take(n).skip(start).for_each(|coverage| *coverage = 1.0);
+        }
+        self.dense = true;
         b.tex.n = n;
         if let Some(segment) = b.segments.get_mut(b.segment_count) {
             let (start, len) = (start as u32, (n - start) as u32);
-            *segment = Segment { prim: self.prim, start, len, x, y, offset: first, row: false };
+            *segment = Segment { prim: self.prim, start, len, x, y, offset, row: false };
             b.segment_count += 1;
         }
-        true
+        rest
     }
 
     /// Appends the pixels of a row where a stipple has a bit: bit 31 belongs to the columns that 32 divides.
@@ -240,29 +290,24 @@ impl Emitter {
         let offset = self.offset(x, y);
         let b = &mut *self.batch;
         let n = b.tex.n;
-        let (dx, dy) = (x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1]) as f32);
-        // Eight lanes at a time, so that short runs need no loop; what is written beyond the run is overwritten later.
+        let (dx, dy) = (x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1]));
+        let p = &mut *self.pending;
+        // Eight lanes at a time, so that short runs need no loop.
         let mut at = 0;
         while at < take {
-            let offsets = b.offset.get_mut(n + at..n + at + 8);
-            let (dxs, dys) = (b.dx.get_mut(n + at..n + at + 8), b.dy.get_mut(n + at..n + at + 8));
-            let (Some(offsets), Some(dxs), Some(dys)) = (offsets, dxs, dys) else { break };
-            let step = at as i32;
-            for i in 0..8i32 {
-                let lane = i as usize;
-                offsets[lane] = offset.wrapping_add((step + i) as u32);
-                dxs[lane] = dx.wrapping_add(step + i) as f32;
-                dys[lane] = dy;
-            }
+            let (Some(offsets), Some(xs), Some(ys), Some(pixels)) = (
+                p.offset.get_mut(n + at..).and_then(|l| l.first_chunk_mut::<8>()),
+                p.x.get_mut(n + at..).and_then(|l| l.first_chunk_mut::<8>()),
+                p.y.get_mut(n + at..).and_then(|l| l.first_chunk_mut::<8>()),
+                p.pixel.get_mut(n + at..).and_then(|l| l.first_chunk_mut::<8>()),
+            ) else {
+                break;
+            };
+            (*offsets, *xs) = ([offset.wrapping_add(at as u32); 8], [dx.wrapping_add(at as i32); 8]);
+            (*ys, *pixels) = ([dy; 8], [0, 1, 2, 3, 4, 5, 6, 7]);
             at += 8;
         }
-        // The last lanes of the batch, where eight do not fit.
-        for i in at..take {
-            let lane = (n + i) & (LANES - 1);
-            b.offset[lane] = offset.wrapping_add(i as u32);
-            b.dx[lane] = dx.wrapping_add(i as i32) as f32;
-            b.dy[lane] = dy;
-        }
+        self.dense = true;
         b.tex.n = n + take;
         if let Some(last) = b.segment_count.checked_sub(1).and_then(|i| b.segments.get_mut(i))
             && last.prim == self.prim

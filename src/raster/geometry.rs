@@ -3,9 +3,10 @@
 
 use super::group::Group;
 use super::line::Line;
-use super::plane::{Pool, Recipe};
+use super::plane::Recipe;
 use super::point::Disc;
 use super::polygon::Edges;
+use super::pool::Pool;
 use super::smooth::Outline;
 use super::state::Rect;
 use crate::fragment::planes::{Linear, Planes};

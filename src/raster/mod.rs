@@ -14,6 +14,7 @@ mod plane;
 mod point;
 mod polygon;
 mod rounds;
+mod pool;
 mod scene;
 mod setup;
 mod smooth;

@@ -6,9 +6,10 @@
 
 use super::group::{Group, MOST_SLOTS};
 use super::group_planes::{Depth, GroupFn, Rules, SET_UP_GROUP};
+use super::pool::Pool;
 use super::weights::{FOUR, Four, FourFn, Weights};
 use crate::batch::Level;
-use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, PlanePool, Planes, UnitSlots};
+use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, Planes, UnitSlots};
 
 /// How a position relative to the origin becomes weights of the corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,6 +55,7 @@ impl Basis {
 /// The layout of a draw, prepared for setup.
 #[derive(Clone, Debug)]
 pub struct Recipe {
+    level: Level,
     run: FourFn,
     run_group: GroupFn,
     layout: Layout,
@@ -74,69 +76,6 @@ pub struct Values<'a> {
     pub back: bool,
     /// w of each corner.
     pub w: [f64; 3],
-}
-
-/// The planes of a scene's slots. The vector behind it is as long as it ever was, so that planes are written once, not
-/// made and then overwritten.
-#[derive(Clone, Debug, Default)]
-pub struct Pool {
-    planes: Vec<Plane>,
-    used: usize,
-    groups: Vec<PlaneGroup>,
-    used_groups: usize,
-    /// Where planes are computed before they are put in place.
-    four: Four,
-}
-
-impl Pool {
-    /// All planes; those in use come first.
-    #[must_use]
-    pub fn all(&self) -> PlanePool<'_> {
-        PlanePool { alone: &self.planes, groups: &self.groups }
-    }
-
-    /// Bytes in use.
-    #[must_use]
-    pub const fn memory(&self) -> usize {
-        self.used * size_of::<Plane>() + self.used_groups * size_of::<PlaneGroup>()
-    }
-
-    /// Lets go of all planes.
-    pub fn clear(&mut self) {
-        (self.used, self.used_groups) = (0, 0);
-    }
-
-    /// Takes groups of planes into use, of whatever contents. Returns the index of the first one with them.
-    pub(super) fn more_groups(&mut self, count: usize) -> (u32, &mut [PlaneGroup]) {
-        let first = self.used_groups;
-        self.used_groups += count;
-        if self.used_groups > self.groups.len() {
-            self.groups.resize((2 * self.groups.len()).max(self.used_groups + 64), PlaneGroup::default());
-        }
-        (first as u32, self.groups.get_mut(first..first + count).unwrap_or(&mut []))
-    }
-
-    /// How many are in use.
-    #[must_use]
-    pub const fn len(&self) -> usize {
-        self.used
-    }
-
-    /// Lets go of all but the first planes.
-    pub fn truncate(&mut self, len: usize) {
-        self.used = self.used.min(len);
-    }
-
-    /// Takes some more into use, of whatever contents; with them goes the place to compute them in.
-    #[inline]
-    fn more(&mut self, count: usize) -> (&mut [Plane], &mut Four) {
-        let first = self.used;
-        self.used += count;
-        if self.used > self.planes.len() {
-            self.planes.resize((2 * self.planes.len()).max(self.used + 256), Plane::default());
-        }
-        (self.planes.get_mut(first..first + count).unwrap_or(&mut []), &mut self.four)
-    }
 }
 
 /// Puts constants in the place of planes that are not finite.
@@ -164,10 +103,10 @@ impl Recipe {
     /// An empty recipe, whose planes are made at a level or the highest that the processor has.
     #[must_use]
     pub fn new(level: Level) -> Self {
-        let level = level.at_most_available() as usize;
-        let (run, run_group) = (FOUR.levels[level], SET_UP_GROUP.levels[level]);
+        let level = level.at_most_available();
+        let (run, run_group) = (FOUR.levels[level as usize], SET_UP_GROUP.levels[level as usize]);
         let (layout, rules) = (Layout::default(), Rules::default());
-        Self { run, run_group, layout, flat: false, units: Vec::new(), rules, grouped: false }
+        Self { level, run, run_group, layout, flat: false, units: Vec::new(), rules, grouped: false }
     }
 
     /// Takes over what a draw's layout and shade model ask for.
@@ -178,6 +117,12 @@ impl Recipe {
         self.units.extend((0..).zip(&layout.units).filter_map(|(u, slots)| slots.map(|slots| (u, slots))));
         self.grouped = layout.count <= MOST_SLOTS && !self.units.iter().any(|(_, unit)| unit.has_q);
         self.rules.set(layout);
+    }
+
+    /// The level that planes are made at.
+    #[must_use]
+    pub const fn level(&self) -> Level {
+        self.level
     }
 
     /// Which values are interpolated.

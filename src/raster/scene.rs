@@ -364,7 +364,7 @@ impl<P: Shader> Scene<P> {
         if self.geometry.is_empty() {
             return 0;
         }
-        let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut };
+        let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut, level: self.recipe.level() };
         let samples = bands::flush(&flush, framebuffer, threads, &mut self.bins, &mut self.emitters);
         self.geometry.clear();
         samples

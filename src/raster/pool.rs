@@ -1,0 +1,68 @@
+//! The memory behind the planes of a scene (OpenGL 1.5, section 3.5.1): planes of primitives that stand alone, and groups
+//! of planes of small triangles. It is never shrunk and not cleared, so that planes are written once.
+
+use super::weights::Four;
+use crate::fragment::planes::{Plane, PlaneGroup, PlanePool};
+
+/// The planes of a scene's slots. The vector behind it is as long as it ever was, so that planes are written once, not
+/// made and then overwritten.
+#[derive(Clone, Debug, Default)]
+pub struct Pool {
+    planes: Vec<Plane>,
+    used: usize,
+    groups: Vec<PlaneGroup>,
+    used_groups: usize,
+    /// Where planes are computed before they are put in place.
+    four: Four,
+}
+
+impl Pool {
+    /// All planes; those in use come first.
+    #[must_use]
+    pub fn all(&self) -> PlanePool<'_> {
+        PlanePool { alone: &self.planes, groups: &self.groups }
+    }
+
+    /// Bytes in use.
+    #[must_use]
+    pub const fn memory(&self) -> usize {
+        self.used * size_of::<Plane>() + self.used_groups * size_of::<PlaneGroup>()
+    }
+
+    /// Lets go of all planes.
+    pub fn clear(&mut self) {
+        (self.used, self.used_groups) = (0, 0);
+    }
+
+    /// Takes groups of planes into use, of whatever contents. Returns the index of the first one with them.
+    pub(super) fn more_groups(&mut self, count: usize) -> (u32, &mut [PlaneGroup]) {
+        let first = self.used_groups;
+        self.used_groups += count;
+        if self.used_groups > self.groups.len() {
+            self.groups.resize((2 * self.groups.len()).max(self.used_groups + 64), PlaneGroup::default());
+        }
+        (first as u32, self.groups.get_mut(first..first + count).unwrap_or(&mut []))
+    }
+
+    /// How many are in use.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.used
+    }
+
+    /// Lets go of all but the first planes.
+    pub fn truncate(&mut self, len: usize) {
+        self.used = self.used.min(len);
+    }
+
+    /// Takes some more into use, of whatever contents; with them goes the place to compute them in.
+    #[inline]
+    pub(super) fn more(&mut self, count: usize) -> (&mut [Plane], &mut Four) {
+        let first = self.used;
+        self.used += count;
+        if self.used > self.planes.len() {
+            self.planes.resize((2 * self.planes.len()).max(self.used + 256), Plane::default());
+        }
+        (self.planes.get_mut(first..first + count).unwrap_or(&mut []), &mut self.four)
+    }
+}
