@@ -222,3 +222,90 @@ impl Geometry {
         self.triangle_planes(cx, &t, i64::from(self.group.area[lane]), false, Mode::Fill)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::batch::Level;
+    use crate::enums::*;
+    use crate::fragment::planes::{Layout, UnitSlots};
+    use crate::raster::testing::{Board, Random, vertex};
+    use crate::raster::vertex::Vertex;
+    use crate::state::State;
+
+    /// Colours, fog, a unit of two coordinates and a cube map; or only the first of that.
+    fn layouts() -> [Layout; 4] {
+        let plane = UnitSlots { base: 8, count: 2, has_q: false, period: [1, 2, 0], size: [64; 3], cube: false };
+        let cube = UnitSlots { base: 10, count: 3, has_q: false, period: [0; 3], size: [256; 3], cube: true };
+        let mut all = Layout { color: Some(0), secondary: Some(4), fog: Some(7), ..Layout::default() };
+        (all.units[0], all.units[2]) = (Some(plane), Some(cube));
+        (all.count, all.back, all.stride) = (13, Some(13), 20);
+        let mut unit = Layout { count: 2, stride: 2, ..Layout::default() };
+        unit.units[1] = Some(UnitSlots { base: 0, period: [1; 3], ..plane });
+        let color = Layout { color: Some(0), count: 4, stride: 4, ..Layout::default() };
+        [all, unit, color, Layout { count: 1, stride: 1, ..Layout::default() }]
+    }
+
+    /// A small triangle: sometimes in perspective, sometimes a sliver, sometimes with values that are odd.
+    fn triangle(random: &mut Random, stride: usize) -> ([Vertex; 3], [Vec<f32>; 3]) {
+        let size = [1.5, 4.0, 7.5, 7.9, 30.0][(random.unit() * 5.0) as usize];
+        let at = [0; 2].map(|_| random.between(-4.0, 60.0));
+        let ratio = [1.0, 1.0, 1.5, 100.0, 1e7][(random.unit() * 5.0) as usize];
+        let range = [0.0, 1.0, 1.0, 1000.0, 1e7, 1e38][(random.unit() * 6.0) as usize];
+        let odd = [0.5f32, f32::NAN, f32::INFINITY, -0.0][(random.unit() * 4.0) as usize];
+        let v = [0; 3].map(|_| {
+            let [x, y] = at.map(|at| at + random.between(0.0, size));
+            let z = if random.unit() < 0.01 { f64::NAN } else { random.unit() };
+            vertex(x, y, z, random.between(1.0, ratio))
+        });
+        let slots = [0; 3].map(|_| {
+            let value = |random: &mut Random| {
+                let v = random.between(-range, range) as f32;
+                if random.unit() < 0.003 { odd } else { v }
+            };
+            (0..stride).map(|_| value(random)).collect::<Vec<_>>()
+        });
+        (v, slots)
+    }
+
+    #[test]
+    fn a_group_gives_the_bits_of_single_triangles() {
+        let mut random = Random(77);
+        let mut fragments = 0;
+        for round in 0..48 {
+            let layout = layouts()[round % 4].clone();
+            let triangles: Vec<_> = (0..150).map(|_| triangle(&mut random, layout.stride)).collect();
+            let change = |state: &mut State| {
+                state.lighting.shade_model = if round & 4 != 0 { GL_FLAT } else { GL_SMOOTH };
+                (state.polygon.offset[2], state.polygon.offset_factor) = (round & 8 != 0, 3.5);
+                state.polygon.stipple = round & 16 != 0;
+                state.polygon_stipple.0 = [0x0F3C_55A1; 32];
+                state.scissor.enabled = round & 32 != 0;
+                (state.scissor.x, state.scissor.y, state.scissor.width, state.scissor.height) = (9, 5, 41, 43);
+            };
+            let draw = |level: Option<Level>| {
+                let mut board = Board::with_layout(64, layout.clone(), 1, 64, change);
+                if let Some(level) = level {
+                    board.scene = crate::raster::Scene::new(1, 64).at_level(level);
+                    board.scene.begin_draw(board.draw.clone());
+                } else {
+                    board.scene.group_nothing();
+                }
+                for (v, slots) in &triangles {
+                    board.triangle(v, slots);
+                }
+                let seen = board.seen();
+                let bits = |s: &crate::raster::testing::Seen| {
+                    let values: Vec<_> = s.values.iter().map(|v| v.to_bits()).collect();
+                    (s.at, s.z.to_bits(), values)
+                };
+                seen.iter().map(bits).collect::<Vec<_>>()
+            };
+            let single = draw(None);
+            for level in Level::available() {
+                assert!(draw(Some(level)) == single, "round {round}, {level:?}");
+            }
+            fragments += single.len();
+        }
+        assert!(fragments > 30_000, "{fragments}");
+    }
+}

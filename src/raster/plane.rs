@@ -137,6 +137,12 @@ impl Recipe {
         self.grouped
     }
 
+    /// From here on, until the next draw, each triangle is set up alone.
+    #[cfg(test)]
+    pub fn group_nothing(&mut self) {
+        self.grouped = false;
+    }
+
     /// Sets up a group, whose planes go to a place a slot.
     #[inline]
     pub(super) fn group(&self, group: &mut Group, depth: Depth, out: &mut [PlaneGroup]) {

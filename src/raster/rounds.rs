@@ -96,7 +96,8 @@ impl<P: Shader> Round<'_, P> {
         let workers = owns.len().max(1);
         let rows = bands::band_rows(framebuffer.width(), framebuffer.height());
         let bands: Vec<_> = framebuffer.bands(rows).into_iter().map(Mutex::new).collect();
-        emitters.resize_with(emitters.len().max(workers), Emitter::new);
+        let level = self.recipe.level();
+        emitters.resize_with(emitters.len().max(workers), || Emitter::new(level));
         let all = pieces.count();
         let each = (EACH * workers).min(all);
         parts.resize_with(parts.len().max(each), RwLock::default);
@@ -119,8 +120,8 @@ impl<P: Shader> Round<'_, P> {
                     let number = next_band.fetch_add(1, Ordering::Relaxed);
                     let Some(Ok(mut band)) = bands.get(number).map(Mutex::lock) else { break };
                     for part in parts.iter().filter_map(|part| part.read().ok()) {
-                        let flush =
-                            Flush { draws: std::slice::from_ref(self.draw), geometry: &part.geometry, cut: self.cut };
+                        let draws = std::slice::from_ref(self.draw);
+                        let flush = Flush { draws, geometry: &part.geometry, cut: self.cut, level };
                         let bin = part.bins.get(number).map_or(&[][..], Vec::as_slice);
                         flush.walk(bin.iter().copied(), &mut band, emitter);
                     }

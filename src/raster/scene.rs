@@ -247,6 +247,12 @@ impl<P: Shader> Scene<P> {
         self
     }
 
+    /// From here on, until the next draw, each triangle is set up alone.
+    #[cfg(test)]
+    pub(super) fn group_nothing(&mut self) {
+        self.recipe.group_nothing();
+    }
+
     /// Says what the primitives to come are drawn with. Returns the index of the draw.
     pub fn begin_draw(&mut self, draw: Arc<Draw<P>>) -> u32 {
         self.settle();
