@@ -10,8 +10,10 @@
 //! nothing: for profilers. `--instructions` counts instructions a fragment or triangle with callgrind, where valgrind is
 //! installed; `--bless FILE` keeps the numbers and `--check FILE` compares with those that are kept
 //! (`bench/instructions.rs`). `--growth` prints how cost grows with fragments, triangles, texels, units and draws
-//! (`bench/growth.rs`).
+//! (`bench/growth.rs`). `--elisions` prints what leaving out saves (`bench/elisions.rs`).
 
+#[path = "bench/elisions.rs"]
+mod elisions;
 #[path = "bench/growth.rs"]
 mod growth;
 #[path = "bench/instructions.rs"]
@@ -32,7 +34,7 @@ use std::path::PathBuf;
 use std::process::{ExitCode, exit};
 
 const USAGE: &str = "usage: bench [--quick] [--scenes S5,S7] [--threads n] [--level baseline|avx2|avx512] [--size n] \
-                     [--seconds n] [--list | --frames n | --growth | --instructions | --bless FILE | --check FILE]";
+                     [--seconds n] [--list | --frames n | --growth | --elisions | --instructions | --bless FILE | --check FILE]";
 
 /// What is to be done.
 #[derive(Clone)]
@@ -45,6 +47,10 @@ enum Task {
     Growth,
     /// How much memory a frame of so many triangles takes: what `--growth` runs in processes of their own.
     Peak(usize),
+    /// What each elision saves.
+    Elisions,
+    /// The frames that are counted for that.
+    CountedElisions,
     /// Instructions: print them.
     Instructions,
     /// Keep them in a file.
@@ -104,6 +110,8 @@ fn options() -> Options {
             "--instructions" => options.task = Task::Instructions,
             "--bless" => options.task = Task::Bless(value().into()),
             "--check" => options.task = Task::Check(value().into()),
+            "--elisions" => options.task = Task::Elisions,
+            "--counted-elisions" => options.task = Task::CountedElisions,
             "--counted" => options.task = Task::Counted,
             "--level" => {
                 let name = value();
@@ -141,6 +149,8 @@ fn main() -> ExitCode {
                 (0..*frames).for_each(|_| _ = timing::frame(scene, &mut stage, 1));
             }
         }
+        Task::Elisions => return elisions::run(),
+        Task::CountedElisions => elisions::draw_counted(&options),
         Task::Counted => instructions::draw_counted(&options),
         Task::Instructions | Task::Bless(_) | Task::Check(_) => return instructions::run(&options),
     }

@@ -100,43 +100,44 @@ fn failed(message: &str) -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Runs the benchmark under callgrind and reads the profiles that it leaves.
-fn count(scenes: &[&'static Scene], size: u32) -> Result<Vec<Count>, String> {
+/// Runs the benchmark under callgrind with these arguments: what it prints, and the cost of each profile that it leaves.
+pub fn under_callgrind(arguments: &[String]) -> Result<(String, Vec<u64>), String> {
     let program = std::env::current_exe().map_err(|error| error.to_string())?;
     let folder = std::env::temp_dir().join(format!("fixedgl-instructions-{}", std::process::id()));
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let names: Vec<_> = scenes.iter().map(|scene| scene.id).collect();
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--toggle-collect=*counted_frame*", "--dump-after=*profiled_frame*"])
         .arg(format!("--callgrind-out-file={}", folder.join("profile").display()))
         .arg(&program)
-        .args(["--counted", "--level", "avx2", "--threads", "1", "--size", &size.to_string()])
-        .args(["--scenes", &names.join(",")])
+        .args(["--level", "avx2", "--threads", "1"])
+        .args(arguments)
         .stderr(Stdio::piped())
         .output()
         .map_err(|error| format!("valgrind: {error}; it has to be installed"))?;
-    let counts = if output.status.success() {
-        counts(scenes, &String::from_utf8_lossy(&output.stdout), &folder, &program)
-    } else {
-        Err(String::from_utf8_lossy(&output.stderr).into_owned())
-    };
+    let costs = (1..).map_while(|n| {
+        let text = fs::read_to_string(folder.join(format!("profile.{n}"))).ok()?;
+        Some(own_cost(&text, &program).unwrap_or(0))
+    });
+    let costs = costs.collect();
     // What is left behind does no harm.
     _ = fs::remove_dir_all(&folder);
-    counts
+    if output.status.success() {
+        Ok((String::from_utf8_lossy(&output.stdout).into_owned(), costs))
+    } else {
+        Err(String::from_utf8_lossy(&output.stderr).into_owned())
+    }
 }
 
-/// Puts together what the program printed and what callgrind wrote: two profiles a scene, in order.
-fn counts(scenes: &[&'static Scene], printed: &str, folder: &Path, program: &Path) -> Result<Vec<Count>, String> {
+/// Counts scenes: two profiles a scene, in order.
+fn count(scenes: &[&'static Scene], size: u32) -> Result<Vec<Count>, String> {
+    let names: Vec<_> = scenes.iter().map(|scene| scene.id).collect();
+    let arguments = ["--counted", "--size", &size.to_string(), "--scenes", &names.join(",")].map(String::from);
+    let (printed, costs) = under_callgrind(&arguments)?;
     let mut counts = Vec::new();
-    for (n, (scene, line)) in scenes.iter().zip(printed.lines()).enumerate() {
+    for ((scene, line), costs) in scenes.iter().zip(printed.lines()).zip(costs.chunks_exact(2)) {
         let units = line.split_once('\t').filter(|(id, _)| *id == scene.id).and_then(|(_, units)| units.parse().ok());
         let units: f64 = units.ok_or_else(|| format!("{line:?} where {} was to be", scene.id))?;
-        let profile = |k: usize| {
-            let file = folder.join(format!("profile.{}", 2 * n + k));
-            let text = fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
-            own_cost(&text, program).ok_or_else(|| format!("{} has no cost in it", file.display()))
-        };
-        let (short, long) = (profile(1)? as f64, profile(2)? as f64);
+        let (short, long) = (costs[0] as f64, costs[1] as f64);
         let instructions = (long - short) / f64::from(repeat(scene) - 1) / units.max(1.0);
         counts.push(Count { scene, instructions });
     }
