@@ -63,12 +63,32 @@ fn quad(gl: &mut Context) {
     quad_with(gl, |gl, _, [x, y]| gl.vertex3f(0.95 * x, 0.95 * y, 0.25));
 }
 
+/// Many small quadrilaterals side by side: what a vertex costs counts.
+fn mesh(gl: &mut Context) {
+    gl.begin(GL_QUADS);
+    for i in 0..24 * 24 {
+        let [left, low] = [(i % 24) as f32 / 12.0 - 1.0, (i / 24) as f32 / 12.0 - 1.0];
+        for [x, y] in [[0.0, 0.0], [0.08, 0.0], [0.08, 0.08], [0.0, 0.08]] {
+            gl.color4f(0.5 + 0.5 * left, 0.3, 0.5 - 0.4 * low, 0.75);
+            gl.normal3f(left, low + y, 1.0);
+            gl.tex_coord2f(left + x, low);
+            gl.vertex3f(left + x, low + y, 0.25);
+        }
+    }
+    gl.end();
+}
+
 /// The quadrilateral with corner 1 at another w.
 fn quad_w(gl: &mut Context, w: f32) {
     quad_with(gl, |gl, i, [x, y]| {
         let w = if i == 1 { w } else { 3.0 };
         gl.vertex4f(0.95 * x * w, 0.95 * y * w, 0.0, w);
     });
+}
+
+/// The quadrilateral with corner 1 at another z.
+fn quad_z(gl: &mut Context, z: f32) {
+    quad_with(gl, |gl, i, [x, y]| gl.vertex3f(x, y, if i == 1 { z } else { 0.0 }));
 }
 
 /// The quadrilateral with corner 1 at another q.
@@ -116,7 +136,7 @@ fn lit(gl: &mut Context) {
 
 fn specular(gl: &mut Context, color: f32) {
     gl.materialfv(GL_FRONT, GL_SPECULAR, &[0.0, color, 0.0, 1.0]);
-    quad(gl);
+    mesh(gl);
 }
 
 fn fog(gl: &mut Context, density: f32) {
@@ -208,15 +228,15 @@ pub const ROWS: &[Row] = &[
     Row {
         name: "the texture matrix, where it is the identity",
         state: |gl| (textured(gl), gl.matrix_mode(GL_TEXTURE)).1,
-        left_out: |gl| (gl.scalef(1.0, 1.0, 1.0), quad(gl)).1,
-        near_miss: |gl| (gl.scalef(ONE_AND_A_BIT, 1.0, 1.0), quad(gl)).1,
+        left_out: |gl| (gl.scalef(1.0, 1.0, 1.0), mesh(gl)).1,
+        near_miss: |gl| (gl.scalef(ONE_AND_A_BIT, 1.0, 1.0), mesh(gl)).1,
         count: |w| w.vertex("TEX_MATRIX"),
     },
     Row {
         name: "generation of a coordinate that the target does not use",
         state: textured,
-        left_out: |gl| (gl.enable(GL_TEXTURE_GEN_R), quad(gl)).1,
-        near_miss: |gl| (gl.enable(GL_TEXTURE_GEN_T), quad(gl)).1,
+        left_out: |gl| (gl.enable(GL_TEXTURE_GEN_R), mesh(gl)).1,
+        near_miss: |gl| (gl.enable(GL_TEXTURE_GEN_T), mesh(gl)).1,
         count: |w| w.vertex("GEN_"),
     },
     Row {
@@ -236,19 +256,19 @@ pub const ROWS: &[Row] = &[
     Row {
         name: "attenuation, where the light is directional",
         state: lit,
-        left_out: |gl| (gl.lightfv(GL_LIGHT0, GL_POSITION, &[0.0, 0.0, 1.0, 0.0]), quad(gl)).1,
+        left_out: |gl| (gl.lightfv(GL_LIGHT0, GL_POSITION, &[0.0, 0.0, 1.0, 0.0]), mesh(gl)).1,
         near_miss: |gl| {
             gl.lightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 1e-7);
             gl.lightfv(GL_LIGHT0, GL_POSITION, &[0.0, 0.0, 1.0, 1e-7]);
-            quad(gl);
+            mesh(gl);
         },
         count: |w| w.vertex("LIGHT_LOCAL"),
     },
     Row {
         name: "normals, where no light needs them",
         state: |gl| gl.enable(GL_LIGHTING),
-        left_out: quad,
-        near_miss: |gl| (gl.enable(GL_LIGHT0), quad(gl)).1,
+        left_out: mesh,
+        near_miss: |gl| (gl.enable(GL_LIGHT0), mesh(gl)).1,
         count: |w| w.vertex("NORMAL"),
     },
     Row {
@@ -303,22 +323,22 @@ pub const ROWS: &[Row] = &[
     Row {
         name: "clipping, where the whole primitive is inside",
         state: |_| {},
-        left_out: |gl| quad_with(gl, |gl, _, [x, y]| gl.vertex3f(x, y, 1.0)),
-        near_miss: |gl| quad_with(gl, |gl, i, [x, y]| gl.vertex3f(x, y, if i == 1 { ONE_AND_A_BIT } else { 1.0 })),
+        left_out: |gl| quad_z(gl, 1.0),
+        near_miss: |gl| quad_z(gl, ONE_AND_A_BIT),
         count: |w| w.counters.clipped,
     },
     Row {
         name: "lighting and coordinates of vertices that nothing seen uses",
         state: |gl| gl.enable(GL_CULL_FACE),
-        left_out: |gl| (gl.cull_face(GL_FRONT), quad(gl)).1,
-        near_miss: |gl| (gl.cull_face(GL_BACK), quad(gl)).1,
+        left_out: |gl| (gl.cull_face(GL_FRONT), mesh(gl)).1,
+        near_miss: |gl| (gl.cull_face(GL_BACK), mesh(gl)).1,
         count: |w| w.counters.vertices_valued,
     },
     Row {
         name: "fragments of the side that is culled",
         state: |gl| gl.enable(GL_CULL_FACE),
-        left_out: |gl| (gl.cull_face(GL_FRONT), quad(gl)).1,
-        near_miss: |gl| (gl.cull_face(GL_BACK), quad(gl)).1,
+        left_out: |gl| (gl.cull_face(GL_FRONT), mesh(gl)).1,
+        near_miss: |gl| (gl.cull_face(GL_BACK), mesh(gl)).1,
         count: |w| w.counters.fragments,
     },
 ];
