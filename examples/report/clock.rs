@@ -2,7 +2,7 @@
 //! a turn draws the picture once and several times, and the difference of the two least times is what a further picture
 //! costs, so that what a frame costs by itself does not count. The time is the processor's, over all threads of the
 //! program, where the system tells it. Instructions: the report runs itself under callgrind, which writes down its
-//! counters whenever [`counted`] returns.
+//! counters whenever [`counted`] is called.
 
 use super::gl::{Gl, Library};
 use super::knobs::Knobs;
@@ -126,7 +126,7 @@ pub fn start_counting(folder: &Path, part: usize, parts: usize) -> std::io::Resu
     Command::new("valgrind")
         .arg("--tool=callgrind")
         .arg(format!("--callgrind-out-file={}", file.display()))
-        .args(["--toggle-collect=*clock::counted*", "--dump-after=*clock::counted*"])
+        .args(["--toggle-collect=report::clock::counted", "--dump-before=report::clock::counted"])
         .arg(std::env::current_exe()?)
         .args(["--count", &format!("{part}/{parts}")])
         .env("FIXEDGL_SIMD", "avx2")
@@ -135,11 +135,13 @@ pub fn start_counting(folder: &Path, part: usize, parts: usize) -> std::io::Resu
         .spawn()
 }
 
-/// The counts that callgrind has written: one for each time that [`counted`] returned, in order.
+/// The counts that callgrind has written: one for each time that [`counted`] returned, in order. The first file is of the
+/// time before the first call, the last has no number.
 pub fn counts(folder: &Path, part: usize) -> Vec<u64> {
-    let count = |number: usize| {
-        let text = std::fs::read_to_string(folder.join(format!("counts-{part}.{number}"))).ok()?;
+    let count = |name: String| -> Option<u64> {
+        let text = std::fs::read_to_string(folder.join(name)).ok()?;
         text.lines().find_map(|line| line.strip_prefix("totals: "))?.trim().parse().ok()
     };
-    (1..).map_while(count).collect()
+    let numbered = (2..).map_while(|number| count(format!("counts-{part}.{number}")));
+    numbered.chain(count(format!("counts-{part}"))).collect()
 }

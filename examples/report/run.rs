@@ -176,15 +176,16 @@ pub fn points<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Vec<Point> {
     rows.into_iter().map(|r| Point { time: r.ns, error: r.square.rmse }).collect()
 }
 
-/// Every configuration of this crate in the order in which instructions are counted: scene and setting.
-pub fn configurations(subjects: &[Subject], effort: Effort) -> Vec<(usize, Knobs)> {
-    let of = |(i, s): (usize, &Subject)| settings(s.depth, effort.quick).into_iter().map(move |k| (i, k)).collect();
-    subjects.iter().enumerate().flat_map(|p| -> Vec<(usize, Knobs)> { of(p) }).collect()
+/// The configurations of this crate whose instructions are counted, in order: scene and setting. A picture that is
+/// accumulated costs what its frames cost.
+fn counted<'a>(subjects: impl Iterator<Item = &'a Subject>, effort: Effort) -> Vec<(usize, Knobs)> {
+    let of = |(i, s): (usize, &Subject)| settings(s.depth, effort.quick).into_iter().map(move |k| (i, k));
+    subjects.enumerate().flat_map(of).filter(|(_, knobs)| knobs.frames == 1).collect()
 }
 
 /// What runs under callgrind: every `parts`-th configuration, once and twice.
 pub fn count(ours: &Ours, subjects: &[Subject], effort: Effort, [part, parts]: [usize; 2]) {
-    for (scene, knobs) in configurations(subjects, effort).into_iter().skip(part).step_by(parts) {
+    for (scene, knobs) in counted(subjects.iter(), effort).into_iter().skip(part).step_by(parts) {
         let mut ready = Ready::new(ours, &subjects[scene].scene, &knobs);
         clock::counted(&mut ready, 1);
         clock::counted(&mut ready, 2);
@@ -193,12 +194,8 @@ pub fn count(ours: &Ours, subjects: &[Subject], effort: Effort, [part, parts]: [
 
 /// Puts the counts of all parts into the rows of this crate, which is the first library.
 pub fn place_counts(outcomes: &mut [Outcome], effort: Effort, counts: &[Vec<u64>]) {
-    let subjects: Vec<(usize, Knobs)> = outcomes
-        .iter()
-        .enumerate()
-        .flat_map(|(i, o)| settings(o.subject.depth, effort.quick).into_iter().map(move |k| (i, k)))
-        .collect();
-    for (n, (scene, knobs)) in subjects.into_iter().enumerate() {
+    let order = counted(outcomes.iter().map(|o| &o.subject), effort);
+    for (n, (scene, knobs)) in order.into_iter().enumerate() {
         let (part, place) = (n % counts.len(), n / counts.len());
         let outcome = &mut outcomes[scene];
         let row = outcome.rows.iter_mut().find(|r| r.library == 0 && r.knobs == knobs);
