@@ -6,7 +6,7 @@ use super::hints::Verdict;
 use super::plot::{COLORS, difference, element, escape, plot};
 use super::run::{Outcome, Row};
 use super::stages::STAGES;
-use super::table::{Check, short};
+use super::table::{Check, short, spec_words};
 use std::fmt::Write as _;
 
 const STYLE: &str = "
@@ -270,16 +270,13 @@ fn rows(html: &mut String, o: &Outcome, run: &Run<'_>) {
     for r in sorted {
         let _ = writeln!(
             html,
-            "<tr{}><td>{}<td class=\"lib\">{}<td>{:.2}<td>{}<td>{}<td>{}<td>{:.3}<td>{}<td>{:.2}<td>{:.2}<td>{:.0}<td>{:.0}<td>{:.2}<td>{:.4}",
+            "<tr{}><td>{}<td class=\"lib\">{}<td>{:.2}<td>{}<td>{}<td>{:.2}<td>{:.2}<td>{:.0}<td>{:.0}<td>{:.2}<td>{:.4}",
             if r.front { " class=\"front\"" } else { "" },
             escape(r.knobs.name),
             escape(run.names[r.library]),
             r.ns,
             r.instructions.map_or("-".to_string(), |i| format!("{i:.1}")),
-            short(r.spec.max),
-            short(r.spec.rmse),
-            100.0 * r.spec.off,
-            short(r.spec.p999),
+            spec_words(r).join("<td>"),
             r.square.rmse,
             r.gauss.rmse,
             r.square.max,

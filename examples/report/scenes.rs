@@ -131,10 +131,10 @@ fn plane() -> Scene {
 
 fn grazing() -> Scene {
     let mut scene = with(&patterns::checks(256), GL_REPLACE);
-    scene.vertex.projection = M4::perspective(0.19, 1.0, 10.0, 20_000.0);
+    scene.vertex.projection = M4::perspective(0.08, 1.0, 10.0, 20_000.0);
     scene.vertex.modelview = M4::rotation(0.1, [1.0, 0.0, 0.0]);
     scene.depth = Some((GL_LEQUAL, true));
-    floor(&mut scene, 64.0, [-100.0, -15_000.0], [10.0, 80.0]);
+    floor(&mut scene, 4.0, [-100.0, -2000.0], [1.0, 40.0]);
     scene
 }
 

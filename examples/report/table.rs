@@ -48,6 +48,15 @@ pub fn short(v: f64) -> String {
     }
 }
 
+/// The figures of E_spec in words, dashes where every pixel is in doubt: greatest, rms, share in per cent, p99.9.
+pub fn spec_words(row: &Row) -> [String; 4] {
+    let e = &row.spec;
+    if e.pixels == 0 {
+        return std::array::from_fn(|_| "-".to_string());
+    }
+    [short(e.max), short(e.rmse), format!("{:.3}", 100.0 * e.off), short(e.p999)]
+}
+
 /// The main table.
 pub fn text(outcomes: &[Outcome], names: &[&str]) -> String {
     let mut out = String::from(
@@ -62,19 +71,16 @@ pub fn text(outcomes: &[Outcome], names: &[&str]) -> String {
     for o in outcomes {
         for r in &o.rows {
             let instructions = r.instructions.map_or("-".to_string(), |i| format!("{i:.1}"));
+            let [max, rms, off, p999] = spec_words(r);
             let _ = writeln!(
                 out,
-                "{:12} {:27}{:2} {:9} {:8.2} {:>8} | {:>7} {:>7} {:6.3} {:>6} | {:6.2} {:6.2} {:6.2} {:6.3}",
+                "{:12} {:27}{:2} {:9} {:8.2} {:>8} | {max:>7} {rms:>7} {off:>6} {p999:>6} | {:6.2} {:6.2} {:6.2} {:6.3}",
                 o.subject.name,
                 r.knobs.name,
                 if r.front { " *" } else { "" },
                 names[r.library],
                 r.ns,
                 instructions,
-                short(r.spec.max),
-                short(r.spec.rmse),
-                100.0 * r.spec.off,
-                short(r.spec.p999),
                 r.square.rmse,
                 r.gauss.rmse,
                 r.square.psnr,

@@ -50,7 +50,9 @@ pub fn spec(scene: &Scene, knobs: &Knobs) -> Spec {
             let color = if knobs.frames > 1 { stored(pixel.ideal) } else { pixel.ideal };
             sums[i] = std::array::from_fn(|c| sums[i][c] + 255.0 * color[c] / f64::from(knobs.frames));
             spec.hits[i] = spec.hits[i].max(pixel.hits);
-            spec.doubtful[i] |= pixel.story.as_ref().is_some_and(|story| doubtful(story, knobs));
+            // Of several layers that are blended only the last one's story is known.
+            let layers = knobs.takes_nearest() && scene.blend.is_some() && pixel.hits > 1;
+            spec.doubtful[i] |= layers || pixel.story.as_ref().is_some_and(|story| doubtful(story, knobs));
         }
         scene.vertex.projection = upright;
     }
