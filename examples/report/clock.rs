@@ -1,8 +1,8 @@
 //! What a fragment costs. Time: every configuration of a scene stands ready in a context of its own, and they take turns;
-//! a turn draws the picture once and several times, and the difference of the two least times is what a further picture
-//! costs, so that what a frame costs by itself does not count. The time is the processor's, over all threads of the
-//! program, where the system tells it. Instructions: the report runs itself under callgrind, which writes down its
-//! counters whenever [`counted`] is called.
+//! a turn draws the picture several times before it finishes, so that what a frame costs by itself hardly counts, and the
+//! least of all turns is taken: others that use the machine can only make them longer. The time is the processor's, over
+//! all threads of the program, where the system tells it. Instructions: the report runs itself under callgrind, which
+//! writes down its counters whenever [`counted`] is called.
 
 use super::gl::{Gl, Library};
 use super::knobs::Knobs;
@@ -17,11 +17,10 @@ pub struct Ready {
     gl: Box<dyn Gl>,
     scene: Scene,
     knobs: Knobs,
-    /// How often the long frame draws.
+    /// How often a turn draws.
     repeat: u32,
     first: f64,
-    short: f64,
-    long: f64,
+    least: f64,
 }
 
 /// What the processor has spent on this program, in seconds.
@@ -45,7 +44,7 @@ impl Ready {
         knobs.draw(gl.as_mut(), &scene);
         gl.finish();
         let first = start.elapsed().as_secs_f64();
-        Ready { gl, scene, knobs: knobs.clone(), repeat: 0, first, short: f64::MAX, long: f64::MAX }
+        Ready { gl, scene, knobs: knobs.clone(), repeat: 0, first, least: f64::MAX }
     }
 
     /// A picture that takes this long is timed once.
@@ -78,19 +77,15 @@ impl Ready {
         if self.is_slow() {
             return;
         }
-        self.short = self.short.min(self.frame(1));
         if self.repeat == 0 {
-            self.repeat = (2e-3 / self.short.max(1e-9)).clamp(2.0, 17.0) as u32;
+            self.repeat = (4e-3 / self.frame(1).max(1e-9)).clamp(2.0, 16.0) as u32;
         }
-        self.long = self.long.min(self.frame(self.repeat));
+        self.least = self.least.min(self.frame(self.repeat) / f64::from(self.repeat));
     }
 
-    /// The seconds of a further picture.
+    /// The seconds of a picture.
     fn cost(&self) -> f64 {
-        if self.is_slow() {
-            return self.first;
-        }
-        ((self.long - self.short) / f64::from(self.repeat.max(2) - 1)).max(0.0)
+        if self.is_slow() { self.first } else { self.least }
     }
 }
 
