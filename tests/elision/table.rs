@@ -247,6 +247,18 @@ pub const ROWS: &[Row] = &[
         count: |w| w.kept("colour"),
     },
     Row {
+        name: "a texture unit whose colour a later unit replaces",
+        state: |gl| {
+            textured(gl);
+            gl.active_texture(GL_TEXTURE1);
+            textured(gl);
+            gl.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+        },
+        left_out: quad,
+        near_miss: |gl| (texture(gl, GL_RGB8), quad(gl)).1,
+        count: |w| w.plan.fragment_stages.iter().filter(|name| **name == "COORDINATES").count() as u64 - 1,
+    },
+    Row {
         name: "the specular term, where its colour is black",
         state: lit,
         left_out: |gl| specular(gl, 0.0),

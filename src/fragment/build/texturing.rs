@@ -67,6 +67,14 @@ impl Builder<'_> {
             bases[unit] = Some(sampler.base);
             samplers.push((unit, sampler));
         }
+        if !self.options.general {
+            for unit in self.unused(&bases) {
+                bases[unit] = None;
+                samplers.retain(|(of, _)| *of != unit);
+                let reason = "no later environment takes its colour, and none its texture";
+                self.decide(format!("unit {unit}"), Fate::LeftOut, reason);
+            }
+        }
         let leaves = if untouched { self.leaves(&mut samplers, alpha_test) } else { Leaves::Floats };
         let reads_primary = match leaves {
             Leaves::Texels(number) => number & texel::PRIMARY_ALPHA != 0,
@@ -84,6 +92,32 @@ impl Builder<'_> {
             self.unit(unit, sampler);
         }
         self.environments(bases, leaves);
+    }
+
+    /// The units of which nothing comes: a later environment starts anew, and none reads their texture.
+    fn unused(&self, bases: &Bases) -> Vec<usize> {
+        let (mut color_taken, mut textures) = (true, 0u32);
+        let mut idle = Vec::new();
+        for (unit, base) in bases.iter().enumerate().rev() {
+            let (Some(base), Some(state)) = (base, self.state.texture.units.get(unit)) else { continue };
+            if !color_taken {
+                idle.push(unit);
+                continue;
+            }
+            let form = combine(&state.env, *base, unit, |t| bases.get(t).is_some_and(Option::is_some));
+            color_taken = false;
+            for argument in
+                [form.rgb, form.alpha].iter().flat_map(|half| half.args.into_iter().take(half.function.arity()))
+            {
+                match argument.source {
+                    Source::Texture(t) => textures |= 1u32.checked_shl(t as u32).unwrap_or(0),
+                    Source::Previous => color_taken = true,
+                    _ => {}
+                }
+            }
+        }
+        idle.retain(|unit| textures >> unit & 1 == 0);
+        idle
     }
 
     /// Coordinates and sampler of a unit.
