@@ -1,15 +1,15 @@
-//! Small triangles wait for each other until there are as many as a group holds, and are then set up together, a triangle
-//! a lane: their masks, and the planes of all that have a pixel. What waits is filed before anything else is, so that
-//! the order of issue is kept.
+//! Filled triangles wait for each other until there are as many as a group holds, and are then set up together, a triangle
+//! a lane: facing and culling, masks, planes. Those that turn out not to be small are then set up alone. What waits is
+//! filed before anything else is, so that the order of issue is kept.
 //!
 //! The slots of a corner stand in quads: those of slots 0 to 3, 4 to 7 and so on, and one of the last four slots where
 //! their number is no multiple of 4 (then some are in two quads).
 
 use super::VertexRef;
 use super::geometry::{Context, Cover, Geometry};
-use super::group_planes::{Bases, Depth, Floats, Linears};
+use super::group_planes::{Bases, Floats, Linears, NOTHING, SMALL, View};
 use super::masks::Ints;
-use super::setup::Triangle;
+use super::setup::{Triangle, clip_mask, twice_area};
 use super::state::{Mode, Rect};
 use super::vertex::Vertex;
 use crate::fragment::planes::{GROUP, Linear, Planes};
@@ -27,10 +27,13 @@ pub(super) struct Group {
     pub place: [[[f64; 4]; GROUP]; 3],
     /// Snapped x and y of each corner.
     pub snapped: [[Ints; 2]; 3],
-    /// The first pixel of each bounding box.
+    /// The first pixel of each bounding box, and the one after the last.
     pub first: [Ints; 2],
-    /// The pixels of each mask that may be drawn.
-    pub clip: [u64; GROUP],
+    pub last: [Ints; 2],
+    /// What becomes of each triangle.
+    pub kind: Ints,
+    /// Whether its bounding box leaves what may be written.
+    pub cut: Ints,
     /// The result: covered pixels, before clipping.
     pub bits: [u64; GROUP],
     pub area: Ints,
@@ -40,8 +43,6 @@ pub(super) struct Group {
     pub affine: [bool; GROUP],
     /// NaN where a triangle must be done alone.
     pub odd: Floats,
-    /// Width and height of the largest bounding box.
-    pub largest: [u32; 2],
     /// How many triangles there are.
     pub count: usize,
 }
@@ -53,7 +54,9 @@ impl Default for Group {
             place: [[[0.0; 4]; GROUP]; 3],
             snapped: [[[0; GROUP]; 2]; 3],
             first: [[0; GROUP]; 2],
-            clip: [0; GROUP],
+            last: [[0; GROUP]; 2],
+            kind: [NOTHING; GROUP],
+            cut: [0; GROUP],
             bits: [0; GROUP],
             area: [0; GROUP],
             origin: [[0; GROUP]; 2],
@@ -61,7 +64,6 @@ impl Default for Group {
             bases: Bases::default(),
             affine: [true; GROUP],
             odd: [0.0; GROUP],
-            largest: [0; 2],
             count: 0,
         }
     }
@@ -123,9 +125,15 @@ impl Group {
     /// The slots of a corner, in order.
     fn slots(&self, lane: usize, corner: usize, count: usize) -> [f32; MOST_SLOTS] {
         let mut slots = [0.0; MOST_SLOTS];
-        for (k, slot) in slots.iter_mut().enumerate().take(count) {
-            let (quad, column) = quad_of(count, k);
-            *slot = self.quads.get(quad).map_or(0.0, |quad| quad[corner % 3][lane % GROUP][column & 3]);
+        let quads = self.quads.iter().map(|quad| quad[corner % 3][lane % GROUP]);
+        for (to, quad) in slots.as_chunks_mut::<4>().0.iter_mut().zip(quads).take(count.div_ceil(4)) {
+            *to = quad;
+        }
+        // The quad behind the whole ones is of the last four slots.
+        let rest = count % 4;
+        if let (true, Some(quad), Some(to)) = (count > 4, self.quads.get(count / 4), slots.get_mut(count - rest..count))
+        {
+            to.copy_from_slice(&quad[corner % 3][lane % GROUP][4 - rest..]);
         }
         slots
     }
@@ -139,17 +147,18 @@ impl Group {
 }
 
 impl Geometry {
-    /// Lets a triangle wait, whose bounding box is at most 8 by 8 pixels. False, and nothing done, where it must be set up
-    /// alone.
+    /// Lets a filled triangle wait. False, and nothing done, where a vertex lacks slots.
     #[inline]
-    pub(super) fn wait(&mut self, cx: &Context, t: &Triangle, bounds: Rect, clip: u64, back: bool) -> bool {
+    pub(super) fn wait(&mut self, cx: &Context, t: &Triangle) -> bool {
         let group = &mut *self.group;
         let lane = group.count % GROUP;
-        if !group.put_slots(&t.v, cx.recipe.layout().count) {
+        let layout = cx.recipe.layout();
+        if !group.put_slots(&t.v, layout.count) {
             return false;
         }
-        if cx.rs.flat || (back && cx.recipe.layout().back.is_some()) {
-            group.put_colors(cx, t, back);
+        if cx.rs.flat || layout.back.is_some() {
+            let area = twice_area(&t.v.map(|v| v.head.snapped));
+            group.put_colors(cx, t, area == 0 || (area > 0) != cx.rs.ccw_is_front);
         }
         for (corner, v) in t.v.iter().enumerate() {
             let [x, y, z] = v.head.window;
@@ -158,15 +167,9 @@ impl Geometry {
                 group.snapped[corner][k][lane] = v.head.snapped[k];
             }
         }
-        group.first[0][lane] = bounds.x0;
-        group.first[1][lane] = bounds.y0;
-        group.clip[lane] = clip;
-        let [width, height] = &mut group.largest;
-        *width = (*width).max((bounds.x1 - bounds.x0).unsigned_abs());
-        *height = (*height).max((bounds.y1 - bounds.y0).unsigned_abs());
         group.count += 1;
         if group.count == GROUP {
-            self.settle(cx);
+            self.file_group(cx);
         }
         true
     }
@@ -182,44 +185,73 @@ impl Geometry {
         let count = std::mem::take(&mut self.group.count).min(GROUP);
         let rs = cx.rs;
         let offset = rs.offset[Mode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
+        let (ccw, cw) = if rs.ccw_is_front { (0, 1) } else { (1, 0) };
+        let culls = [rs.cull[ccw], rs.cull[cw]];
         let (first, planes) = self.pool.more_groups(cx.recipe.layout().count);
-        cx.recipe.group(&mut self.group, Depth { scale: rs.depth_scale, offset }, planes);
-        self.group.largest = [0; 2];
+        cx.recipe.group(&mut self.group, &View { area: rs.area, culls, scale: rs.depth_scale, offset }, planes);
+        let mut used = false;
         for lane in 0..count {
-            let group = &*self.group;
-            let bits = group.bits[lane] & group.clip[lane];
-            if bits == 0 {
-                continue;
+            match self.group.kind[lane] {
+                NOTHING => {}
+                SMALL => used |= self.file_member(cx, lane, first),
+                _ => self.file_alone(cx, lane),
             }
-            let cover = Cover::Mask { x: group.first[0][lane], y: group.first[1][lane], bits };
-            let planes = if group.odd[lane].is_nan() {
-                self.alone(cx, lane)
-            } else {
-                let of = |l: &Linears| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
-                Planes {
-                    origin: [group.origin[0][lane], group.origin[1][lane]],
-                    z: of(&group.z),
-                    d: of(&group.bases.d),
-                    affine: group.affine[lane],
-                    wide: 0,
-                    first,
-                    member: Some(lane as u8),
-                }
-            };
-            self.file(cover, cx.draw, planes, u64::from(bits.count_ones()));
+        }
+        if !used {
+            self.pool.drop_groups(first);
         }
     }
 
-    /// The planes of a waiting triangle that its group does not do for.
-    #[cold]
-    fn alone(&mut self, cx: &Context, lane: usize) -> Planes {
+    /// Files a member of a group whose planes begin somewhere. False where it has no pixel.
+    #[inline]
+    fn file_member(&mut self, cx: &Context, lane: usize, first: u32) -> bool {
+        let group = &*self.group;
+        let [x, y] = [group.first[0][lane], group.first[1][lane]];
+        let mut bits = group.bits[lane];
+        if group.cut[lane] != 0 || cx.rs.polygon_stipple.is_some() {
+            let bounds = Rect { x0: x, y0: y, x1: group.last[0][lane], y1: group.last[1][lane] };
+            bits &= clip_mask(cx, bounds, bounds.and(cx.rs.area));
+        }
+        if bits == 0 {
+            return false;
+        }
+        let planes = if group.odd[lane].is_nan() {
+            self.with_lane(cx, lane, |geometry, t, area| geometry.triangle_planes(cx, t, area, false, Mode::Fill))
+        } else {
+            let of = |l: &Linears| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
+            Planes {
+                origin: [group.origin[0][lane], group.origin[1][lane]],
+                z: of(&group.z),
+                d: of(&group.bases.d),
+                affine: group.affine[lane],
+                wide: 0,
+                first,
+                member: Some(lane as u8),
+            }
+        };
+        self.file(Cover::Mask { x, y, bits }, cx.draw, planes, u64::from(bits.count_ones()));
+        true
+    }
+
+    /// Files a triangle that has waited although it is large.
+    fn file_alone(&mut self, cx: &Context, lane: usize) {
+        self.with_lane(cx, lane, |geometry, t, area| {
+            let back = area == 0 || (area > 0) != cx.rs.ccw_is_front;
+            if !cx.rs.cull[usize::from(back)] {
+                geometry.fill(cx, t, t.v.map(|v| v.head.snapped), area, false);
+            }
+        });
+    }
+
+    /// Does something with a waiting triangle and its area. Colours have been put in place already: those of the side
+    /// that is seen, and of the provoking vertex.
+    fn with_lane<T>(&mut self, cx: &Context, lane: usize, run: impl FnOnce(&mut Self, &Triangle, i64) -> T) -> T {
         let count = cx.recipe.layout().count;
         let vertex = [0, 1, 2].map(|corner| self.group.vertex(lane, corner));
         let slots = [0, 1, 2].map(|corner| self.group.slots(lane, corner, count));
         let v = [0, 1, 2].map(|i: usize| VertexRef { head: &vertex[i], slots: slots[i].get(..count).unwrap_or(&[]) });
-        // Colours have been put in place already: those of the side that is seen, and of the provoking vertex.
         let t = Triangle { v, provoking: v[2].slots, edges: [true; 3] };
-        self.triangle_planes(cx, &t, i64::from(self.group.area[lane]), false, Mode::Fill)
+        run(self, &t, twice_area(&v.map(|v| v.head.snapped)))
     }
 }
 

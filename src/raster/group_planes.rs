@@ -8,6 +8,8 @@
 use super::coordinate::{LIMIT, whole_periods};
 use super::group::{Group, quad_of};
 use super::masks::masks;
+use super::setup::LIMIT as LIMIT_OF_POSITIONS;
+use super::state::Rect;
 use super::weights::range;
 use crate::batch::stage;
 use crate::fragment::planes::{GROUP, Layout, PlaneGroup};
@@ -70,13 +72,23 @@ impl Rules {
     }
 }
 
-/// How depth is made of the window's z.
+/// What of the state decides over a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Depth {
+pub(super) struct View {
+    /// Where pixels may be written.
+    pub area: Rect,
+    /// Whether triangles that wind counter-clockwise, or do not, are culled.
+    pub culls: [bool; 2],
+    /// What the window's z is multiplied with.
     pub scale: f64,
     /// Factor and units of the polygon offset.
     pub offset: Option<[f64; 2]>,
 }
+
+/// What becomes of a triangle: nothing, a member of the group, or that it must be set up alone since it is not small.
+pub(super) const NOTHING: i32 = 0;
+pub(super) const SMALL: i32 = 1;
+pub(super) const LARGE: i32 = 2;
 
 /// Window x, y, z and w of each corner.
 type Places = [[Floats; 4]; 3];
@@ -93,41 +105,99 @@ fn lanes<T: Copy>(quads: &[[[T; 4]; GROUP]; 3], out: &mut [[[T; GROUP]; 4]; 3]) 
 }
 
 /// Sets up a group: masks, and planes in one place a slot.
-pub(super) type GroupFn = unsafe fn(&mut Group, &Rules, Depth, &mut [PlaneGroup]);
+pub(super) type GroupFn = unsafe fn(&mut Group, &Rules, &View, &mut [PlaneGroup]);
 
-/// Twice the areas in 1/65536 pixel, and the pixels that positions are relative to.
+/// Bounding boxes, areas, and what becomes of each triangle. Returns the largest width and height of small ones.
 #[inline(always)]
-fn origins(group: &mut Group, place: &Places) {
-    let Group { snapped: p, first, area, origin, .. } = group;
+fn sort(group: &mut Group, view: &View) -> [u32; 2] {
+    let Group { snapped: p, first, last, area, kind, cut, .. } = group;
+    for i in 0..GROUP {
+        // What is not within the limit comes to nothing: three times the same corner.
+        let mut within = true;
+        for corner in p.iter() {
+            within &= ((corner[0][i].wrapping_add(LIMIT_OF_POSITIONS) | corner[1][i].wrapping_add(LIMIT_OF_POSITIONS))
+                as u32)
+                < 2 * LIMIT_OF_POSITIONS as u32;
+        }
+        for corner in p.iter_mut() {
+            corner[0][i] = if within { corner[0][i] } else { 0 };
+            corner[1][i] = if within { corner[1][i] } else { 0 };
+        }
+    }
+    for k in 0..2 {
+        for i in 0..GROUP {
+            let [a, b, c] = [p[0][k][i], p[1][k][i], p[2][k][i]];
+            first[k][i] = (a.min(b).min(c) + 127) >> 8;
+            last[k][i] = (a.max(b).max(c) + 128) >> 8;
+        }
+    }
+    let (mut width, mut height) = (0, 0);
+    let [positive, other] = view.culls;
     for i in 0..GROUP {
         let side = |k: usize, c: usize| p[c][k][i] - p[0][k][i];
-        area[i] = side(0, 1) * side(1, 2) - side(0, 2) * side(1, 1);
+        // Of large triangles this may be anything.
+        area[i] = side(0, 1).wrapping_mul(side(1, 2)).wrapping_sub(side(0, 2).wrapping_mul(side(1, 1)));
+        let [x0, y0, x1, y1] = [first[0][i], first[1][i], last[0][i], last[1][i]];
+        let (x, y) = (x1 - x0, y1 - y0);
+        let small = (x <= 8) & (y <= 8);
+        let r = &view.area;
+        let seen = (x0.max(r.x0) < x1.min(r.x1)) & (y0.max(r.y0) < y1.min(r.y1));
+        let culled = ((area[i] > 0) & positive) | ((area[i] <= 0) & other);
+        let nothing = !seen | (small & (culled | (area[i] == 0)));
+        kind[i] = if nothing {
+            NOTHING
+        } else if small {
+            SMALL
+        } else {
+            LARGE
+        };
+        cut[i] = i32::from((x0 < r.x0) | (y0 < r.y0) | (x1 > r.x1) | (y1 > r.y1));
+        let member = kind[i] == SMALL;
+        width = width.max(if member { x } else { 0 });
+        height = height.max(if member { y } else { 0 });
     }
-    for i in 0..GROUP {
-        let [a, b, c] = [place[0][3][i], place[1][3][i], place[2][3][i]];
-        let most = if b > a { b } else { a };
-        let most = if c > most { c } else { most };
-        let varies = (most > 2.0 * a) | (most > 2.0 * b) | (most > 2.0 * c);
-        for k in 0..2 {
+    [width.unsigned_abs(), height.unsigned_abs()]
+}
+
+/// The pixels that positions are relative to.
+#[inline(always)]
+fn origins(group: &mut Group, place: &Places) {
+    let Group { snapped: p, first, origin, .. } = group;
+    for k in 0..2 {
+        for i in 0..GROUP {
             // The mean of the three, a third at a time in whole pixels: it is between -1 and 9 from the box.
             let from = first[k][i];
             let sum = (p[0][k][i] + p[1][k][i] + p[2][k][i]) - 768 * from + 768;
-            let mean = from - 1 + (((sum >> 8) * 43691) >> 17);
-            let far = if c == most { p[2][k][i] } else { p[0][k][i] };
-            let far = if b == most { p[1][k][i] } else { far };
-            let far = if a == most { p[0][k][i] } else { far };
-            origin[k][i] = if varies { far >> 8 } else { mean };
+            origin[k][i] = from - 1 + ((sum >> 8).wrapping_mul(43691) >> 17);
+        }
+    }
+    let mut any = false;
+    let varies = |i: usize| {
+        let [a, b, c] = [place[0][3][i], place[1][3][i], place[2][3][i]];
+        let most = if b > a { b } else { a };
+        let most = if c > most { c } else { most };
+        (most, (most > 2.0 * a) | (most > 2.0 * b) | (most > 2.0 * c))
+    };
+    for i in 0..GROUP {
+        any |= varies(i).1;
+    }
+    // Few small triangles have the far end for their origin.
+    for i in (0..GROUP).filter(|_| any) {
+        let (most, varies) = varies(i);
+        let far = (0..3).find(|c| place[*c][3][i] == most).unwrap_or(0);
+        for k in 0..2 {
+            origin[k][i] = if varies { p[far][k][i] >> 8 } else { origin[k][i] };
         }
     }
 }
 
 /// The depth planes, from snapped positions.
 #[inline(always)]
-fn depths(group: &mut Group, place: &Places, depth: Depth, odd: &mut Floats) {
+fn depths(group: &mut Group, place: &Places, view: &View, odd: &mut Floats) {
     let Group { snapped: p, origin, area, z, .. } = group;
     for i in 0..GROUP {
         let det = f64::from(area[i]) * (1.0 / 65536.0);
-        let [z0, z1, z2] = [place[0][2][i], place[1][2][i], place[2][2][i]].map(|z| z * depth.scale);
+        let [z0, z1, z2] = [place[0][2][i], place[1][2][i], place[2][2][i]].map(|z| z * view.scale);
         let edge = |c: usize, k: usize| f64::from(p[c][k][i] - p[0][k][i]) * (1.0 / 256.0);
         let (dz1, dz2, inv) = (z1 - z0, z2 - z0, 1.0 / det);
         let x = (dz1 * edge(2, 1) - dz2 * edge(1, 1)) * inv;
@@ -137,11 +207,11 @@ fn depths(group: &mut Group, place: &Places, depth: Depth, odd: &mut Floats) {
         (z.at[i], z.x[i], z.y[i]) = (at, x, y);
         odd[i] = (at + x + y) * 0.0;
     }
-    if let Some([factor, units]) = depth.offset {
+    if let Some([factor, units]) = view.offset {
         for i in 0..GROUP {
             let slope = z.x[i].abs().max(z.y[i].abs());
             let steep = if factor == 0.0 { 0.0 } else { slope * factor };
-            let offset = (steep + units).max(-2.0 * depth.scale).min(2.0 * depth.scale);
+            let offset = (steep + units).max(-2.0 * view.scale).min(2.0 * view.scale);
             z.at[i] += offset;
         }
     }
@@ -302,12 +372,16 @@ fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
 
 stage! {
     /// Masks and planes of a group.
-    pub(super) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, depth: Depth, out: &mut [PlaneGroup]) {
+    pub(super) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, view: &View, out: &mut [PlaneGroup]) {
+        let largest = sort(group, view);
+        if largest == [0; 2] {
+            return;
+        }
         let (mut place, mut odd) = ([[ZERO; 4]; 3], ZERO);
         lanes(&group.place, &mut place);
         origins(group, &place);
-        masks(&group.snapped, &group.area, &group.first, group.largest, &mut group.bits);
-        depths(group, &place, depth, &mut odd);
+        masks(&group.snapped, &group.area, &group.first, largest, &mut group.bits);
+        depths(group, &place, view, &mut odd);
         bases(group, &place, &mut odd);
         let count = rules.slots.len();
         let (mut terms, mut held) = (Terms::NONE, usize::MAX);

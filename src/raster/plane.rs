@@ -5,8 +5,9 @@
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
 use super::group::{Group, MOST_SLOTS};
-use super::group_planes::{Depth, GroupFn, Rules, SET_UP_GROUP};
+use super::group_planes::{GroupFn, Rules, SET_UP_GROUP, View};
 use super::pool::Pool;
+use super::state::{Mode, RasterState};
 use super::weights::{FOUR, Four, FourFn, Weights};
 use crate::batch::Level;
 use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, Planes, UnitSlots};
@@ -111,11 +112,11 @@ impl Recipe {
 
     /// Takes over what a draw's layout and shade model ask for.
     pub fn set(&mut self, layout: &Layout, flat: bool) {
+        self.grouped = false;
         self.layout.clone_from(layout);
         self.flat = flat;
         self.units.clear();
         self.units.extend((0..).zip(&layout.units).filter_map(|(u, slots)| slots.map(|slots| (u, slots))));
-        self.grouped = layout.count <= MOST_SLOTS && !self.units.iter().any(|(_, unit)| unit.has_q);
         self.rules.set(layout);
     }
 
@@ -129,6 +130,13 @@ impl Recipe {
     #[must_use]
     pub const fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// Takes over a draw. Small triangles can be set up in groups where all are filled and no unit has a q.
+    pub fn set_draw(&mut self, layout: &Layout, rs: &RasterState) {
+        self.set(layout, rs.flat);
+        let filled = (0..2).all(|face| rs.cull[face] || rs.mode[face] == Mode::Fill) && !rs.smooth[2];
+        self.grouped = filled && layout.count <= MOST_SLOTS && !self.units.iter().any(|(_, unit)| unit.has_q);
     }
 
     /// Whether small triangles can be set up in groups.
@@ -145,11 +153,11 @@ impl Recipe {
 
     /// Sets up a group, whose planes go to a place a slot.
     #[inline]
-    pub(super) fn group(&self, group: &mut Group, depth: Depth, out: &mut [PlaneGroup]) {
+    pub(super) fn group(&self, group: &mut Group, view: &View, out: &mut [PlaneGroup]) {
         #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
         // SAFETY: a recipe is made for no level that the processor does not have.
         unsafe {
-            (self.run_group)(group, &self.rules, depth, out);
+            (self.run_group)(group, &self.rules, view, out);
         }
     }
 

@@ -34,6 +34,11 @@ impl Pool {
         (self.used, self.used_groups) = (0, 0);
     }
 
+    /// Lets go of the groups from an index on.
+    pub(super) fn drop_groups(&mut self, first: u32) {
+        self.used_groups = self.used_groups.min(first as usize);
+    }
+
     /// Takes groups of planes into use, of whatever contents. Returns the index of the first one with them.
     pub(super) fn more_groups(&mut self, count: usize) -> (u32, &mut [PlaneGroup]) {
         let first = self.used_groups;

@@ -256,7 +256,7 @@ impl<P: Shader> Scene<P> {
     /// Says what the primitives to come are drawn with. Returns the index of the draw.
     pub fn begin_draw(&mut self, draw: Arc<Draw<P>>) -> u32 {
         self.settle();
-        self.recipe.set(draw.program.layout(), draw.raster.flat);
+        self.recipe.set_draw(draw.program.layout(), &draw.raster);
         self.draws.push(draw);
         (self.draws.len() - 1) as u32
     }
@@ -288,7 +288,7 @@ impl<P: Shader> Scene<P> {
     }
 
     /// Files the small triangles that wait.
-    fn settle(&mut self) {
+    pub(super) fn settle(&mut self) {
         if let Some(mut builder) = self.builder() {
             builder.settle();
         }

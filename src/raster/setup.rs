@@ -31,6 +31,13 @@ pub(super) fn relative(p: [f64; 3], origin: [i32; 2]) -> [f64; 2] {
     [p[0] - (f64::from(origin[0]) + 0.5), p[1] - (f64::from(origin[1]) + 0.5)]
 }
 
+/// Twice the area in units of the grid, positive where the triangle winds counter-clockwise.
+#[inline]
+pub(super) fn twice_area(p: &[[i32; 2]; 3]) -> i64 {
+    let side = |i: usize, k: usize| i64::from(p[i][k]) - i64::from(p[0][k]);
+    side(1, 0) * side(2, 1) - side(2, 0) * side(1, 1)
+}
+
 /// A triangle on its way to being filed.
 pub(super) struct Triangle<'a> {
     pub v: [VertexRef<'a>; 3],
@@ -101,47 +108,40 @@ fn pixels(area: i64) -> f64 {
 impl Geometry {
     /// Sets up a triangle: culls it, or files it as its mode says.
     pub(super) fn triangle(&mut self, cx: &Context, t: &Triangle, stipple: &mut u32) {
+        if cx.recipe.is_grouped() && self.wait(cx, t) {
+            return;
+        }
+        self.settle(cx);
         let rs = cx.rs;
-        let v = t.v.map(|v| v.head);
-        let p = v.map(|v| v.snapped);
+        let p = t.v.map(|v| v.head.snapped);
         if !within_limit(&p) {
             return;
         }
-        let side = |a: i32, b: i32| i64::from(a - b);
-        let area = side(p[1][0], p[0][0]) * side(p[2][1], p[0][1]) - side(p[2][0], p[0][0]) * side(p[1][1], p[0][1]);
+        let area = twice_area(&p);
         let back = area == 0 || (area > 0) != rs.ccw_is_front;
         let face = usize::from(back);
         if rs.cull[face] {
             return;
         }
-        if rs.mode[face] == Mode::Fill && !rs.smooth[2] {
-            self.fill(cx, t, p, area, back);
-            return;
-        }
-        self.settle(cx);
         match rs.mode[face] {
-            Mode::Fill => self.smooth_triangle(cx, t, area, back),
+            Mode::Fill if rs.smooth[2] => self.smooth_triangle(cx, t, area, back),
+            Mode::Fill => self.fill(cx, t, p, area, back),
             mode => self.outline(cx, t, area, back, mode, stipple),
         }
     }
 
-    #[inline]
-    fn fill(&mut self, cx: &Context, t: &Triangle, mut p: [[i32; 2]; 3], area: i64, back: bool) {
+    /// Files a filled triangle that is not culled.
+    pub(super) fn fill(&mut self, cx: &Context, t: &Triangle, mut p: [[i32; 2]; 3], area: i64, back: bool) {
         let bounds = bounds(&p);
         let rect = bounds.and(cx.rs.area);
         if area == 0 || rect.is_empty() {
             return;
         }
         let (width, height) = (bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
-        let small = width <= 8 && height <= 8;
-        if small && cx.recipe.is_grouped() && self.wait(cx, t, bounds, clip_mask(cx, bounds, rect), back) {
-            return;
-        }
-        self.settle(cx);
         if area < 0 {
             p.swap(1, 2);
         }
-        let (cover, pixels) = if small {
+        let (cover, pixels) = if width <= 8 && height <= 8 {
             let bits = Edges::new(&p, bounds).mask() & clip_mask(cx, bounds, rect);
             if bits == 0 {
                 return;
@@ -201,7 +201,7 @@ impl Geometry {
 
 /// The bits of a small triangle's mask that may be drawn: clip rectangle and polygon stipple.
 #[inline]
-fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
+pub(super) fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
     let stipple = cx.rs.polygon_stipple.as_deref();
     if rect == bounds && stipple.is_none() {
         return u64::MAX;
@@ -260,6 +260,7 @@ mod tests {
         ] {
             board.triangle(&p.map(|[x, y]| vertex(x, y, 0.5, 1.0)), &[vec![0.0; 2], vec![1.0; 2], vec![2.0; 2]]);
         }
+        board.scene.settle();
         assert!(board.scene.is_empty());
         assert_eq!(board.scene.memory(), 0);
     }
