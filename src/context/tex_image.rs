@@ -283,7 +283,9 @@ impl Engine {
         let (level, size) = request.check()?;
         let fits = request.fits(level, size);
         if !request.place.proxy {
-            return fits.map(|()| Some(level));
+            fits?;
+            self.before_image_change(request.place, level)?;
+            return Ok(Some(level));
         }
         let proxy = &mut self.proxies[request.place.target as usize][level];
         *proxy = match fits {
@@ -305,6 +307,7 @@ impl Engine {
     /// The image that a command changes a part of.
     pub(crate) fn existing_image(&mut self, place: Place, level: i32) -> Outcome<(usize, Arc<Image>)> {
         let level = level_index(place.target, level)?;
+        self.before_image_change(place, level)?;
         match self.bound_texture(place.target).image(place.face, level) {
             Some(image) => Ok((level, Arc::clone(image))),
             None => Err(no_image(level)),

@@ -14,6 +14,7 @@ use crate::state::texture::Target;
 use crate::texture::format::InternalFormat;
 use crate::texture::image::Image;
 use crate::texture::mipmap;
+use crate::texture::object::TextureObject;
 use std::sync::Arc;
 
 /// A property of an image: of its format and size, all 0 where there is none.
@@ -42,6 +43,7 @@ impl Engine {
     pub(crate) fn get_tex_level_parameter(&mut self, target: GLenum, level: i32, pname: GLenum) -> Outcome<Values> {
         let place = any_place(target)?;
         let level = level_index(place.target, level)?;
+        self.settle_levels(place.target, self.bound_name(place.target))?;
         let found = if place.proxy {
             let proxy = self.proxies[place.target as usize][level];
             level_value(proxy.format, proxy.size, proxy.border, pname)
@@ -62,13 +64,14 @@ impl Engine {
     }
 
     /// The image that a query reads.
-    fn queried_image(&self, target: GLenum, level: i32) -> Outcome<Option<&Arc<Image>>> {
+    fn queried_image(&mut self, target: GLenum, level: i32) -> Outcome<Option<Arc<Image>>> {
         let place = any_place(target)?;
         if place.proxy {
             return Err(invalid_enum("a proxy target holds no image; use the target itself"));
         }
         let level = level_index(place.target, level)?;
-        Ok(self.bound_texture(place.target).image(place.face, level))
+        self.settle_levels(place.target, self.bound_name(place.target))?;
+        Ok(self.bound_texture(place.target).image(place.face, level).cloned())
     }
 
     pub(crate) fn get_tex_image(
@@ -115,32 +118,75 @@ impl Engine {
         if target == Target::Rectangle {
             return Err(invalid_enum("rectangle textures have no mipmaps"));
         }
-        self.make_levels(target)
+        self.settle_levels(target, self.bound_name(target))?;
+        let faces = self.bound_texture(target).faces.len();
+        for face in 0..faces {
+            self.owe_levels(target, face);
+        }
+        self.settle_levels(target, self.bound_name(target))
     }
 
-    /// After an image has changed: plans are stale, and GENERATE_MIPMAP makes the levels below a base level.
+    /// After an image has changed: GENERATE_MIPMAP owes the levels below a base level.
     pub(crate) fn after_image_change(&mut self, place: Place, level: usize) -> Outcome {
         let object = self.bound_texture_mut(place.target);
         let wanted = object.parameters.generate_mipmap && usize::try_from(object.parameters.base_level) == Ok(level);
         if wanted && place.target != Target::Rectangle {
-            return self.make_face_levels(place.target, place.face);
+            self.owe_levels(place.target, place.face);
         }
         Ok(())
     }
 
-    fn make_levels(&mut self, target: Target) -> Outcome {
-        let faces = self.bound_texture(target).faces.len();
-        (0..faces).try_for_each(|face| self.make_face_levels(target, face))
+    /// The base level and the last one that can be made of it, as the object says now.
+    fn chain(object: &TextureObject) -> (usize, usize) {
+        let base = usize::try_from(object.parameters.base_level).unwrap_or(usize::MAX);
+        let last = usize::try_from(object.parameters.max_level).unwrap_or(0).min(MAX_TEXTURE_LEVELS - 1);
+        (base, last)
+    }
+
+    fn owe_levels(&mut self, target: Target, face: usize) {
+        let object = self.bound_texture_mut(target);
+        let chain = Self::chain(object);
+        if let Some(owed) = object.owed.get_mut(face) {
+            *owed = Some(chain);
+        }
+        self.dirty.add(Dirty { vertex: false, fragment: true, raster: false });
+    }
+
+    /// Before an image changes: levels that are owed are made of what is there, unless the change makes them anew.
+    pub(crate) fn before_image_change(&mut self, place: Place, level: usize) -> Outcome {
+        let object = self.bound_texture(place.target);
+        let chain = Self::chain(object);
+        let again = object.parameters.generate_mipmap && chain.0 == level;
+        let owed = object.owed.get(place.face).copied().flatten();
+        if owed.is_none_or(|owed| again && owed == chain) {
+            return Ok(());
+        }
+        self.settle_levels(place.target, self.bound_name(place.target))
+    }
+
+    /// Makes the levels that are owed to a texture object.
+    pub(crate) fn settle_levels(&mut self, target: Target, texture: u32) -> Outcome {
+        for face in 0..6 {
+            let owed = self.textures.object_mut(target, texture).owed.get_mut(face).and_then(Option::take);
+            if let Some(chain) = owed {
+                self.make_face_levels((target, texture), face, chain)?;
+            }
+        }
+        Ok(())
     }
 
     /// Makes all levels below the base level of a face, down to 1 x 1 x 1 or the last level.
-    fn make_face_levels(&mut self, target: Target, face: usize) -> Outcome {
-        let object = self.bound_texture(target);
-        let base = usize::try_from(object.parameters.base_level).unwrap_or(usize::MAX);
-        let last = usize::try_from(object.parameters.max_level).unwrap_or(0).min(MAX_TEXTURE_LEVELS - 1);
+    fn make_face_levels(
+        &mut self,
+        (target, texture): (Target, u32),
+        face: usize,
+        (base, last): (usize, usize),
+    ) -> Outcome {
+        let object = self.textures.object_mut(target, texture);
         let Some(image) = object.image(face, base).cloned() else { return Ok(()) };
         let simd = self.config.level;
-        let below = self.bound_texture_mut(target).faces[face].get_mut(base + 1..).unwrap_or(&mut []);
+        let Some(levels) = object.faces.get_mut(face) else { return Ok(()) };
+        let below = levels.get_mut(base + 1..).unwrap_or(&mut []);
         let levels = mipmap::levels(&image, last.saturating_sub(base), simd, below)?;
         let built = levels.len() as u64;
         for (made, slot) in levels.into_iter().zip(below) {

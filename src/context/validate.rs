@@ -12,6 +12,7 @@ use crate::state::Dirty;
 use crate::state::texture::Target;
 use crate::texture::object::TextureObject;
 use crate::texture::sampler;
+use crate::texture::uniforms::is_mipmap_filter;
 use crate::vertex::plan::Wants;
 use std::sync::Arc;
 
@@ -93,6 +94,11 @@ impl Engine {
 
     /// Whether the texture of a unit can be sampled, with its rings filled. If not, a note says why.
     fn ready(&mut self, unit: usize, target: Target, texture: u32) -> bool {
+        if is_mipmap_filter(self.textures.object(target, texture).parameters.min_filter)
+            && let Err(error) = self.settle_levels(target, texture)
+        {
+            self.note(error.message);
+        }
         let object = self.textures.object_mut(target, texture);
         let why = match object.complete() {
             Ok(()) => match sampler::prepare(object) {

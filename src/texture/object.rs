@@ -18,6 +18,9 @@ pub struct TextureObject {
     pub parameters: TexParameters,
     /// One array of levels, or six for a cube map in the order +x, -x, +y, -y, +z, -z.
     pub faces: Vec<Levels>,
+    /// For each face the levels that GENERATE_MIPMAP owes it: the base level, and the last one to be made of it. They are
+    /// made when somebody looks at them, or before the images that they depend on change in another way.
+    pub owed: [Option<(usize, usize)>; 6],
 }
 
 impl TextureObject {
@@ -29,6 +32,7 @@ impl TextureObject {
             target,
             parameters: TexParameters::for_target(target),
             faces: (0..faces).map(|_| std::array::from_fn(|_| None)).collect(),
+            owed: [None; 6],
         }
     }
 

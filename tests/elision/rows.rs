@@ -75,3 +75,54 @@ fn a_trace_tells_each_new_plan_once() {
     let kept = plans.iter().map(|plan| plan.split(';').next().unwrap_or_default().contains("depth test"));
     assert_eq!(kept.collect::<Vec<_>>(), [true, false], "{plans:?}");
 }
+
+/// Levels that are made late are those that would have been made at once.
+#[test]
+fn levels_that_are_owed_are_those_of_their_time() {
+    let image = |gl: &mut Context, level: i32, size: i32, value: u8| {
+        let texels = vec![value; (size * size) as usize];
+        gl.pixel_storei(GL_UNPACK_ALIGNMENT, 1);
+        gl.tex_image_2d(GL_TEXTURE_2D, level, GL_LUMINANCE8, size, size, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, &texels);
+    };
+    let set = |gl: &mut Context, name: GLenum, value: i32| gl.tex_parameteri(GL_TEXTURE_2D, name, value);
+    let read = |gl: &mut Context, level: i32| {
+        let mut texels = [77u8; 64];
+        gl.pixel_storei(GL_PACK_ALIGNMENT, 1);
+        gl.get_tex_image(GL_TEXTURE_2D, level, GL_LUMINANCE, GL_UNSIGNED_BYTE, &mut texels);
+        texels[0]
+    };
+    type Change<'a> = &'a dyn Fn(&mut Context);
+    let changes: [(&str, Change<'_>, [u8; 4]); 6] = [
+        ("nothing", &|_| {}, [10; 4]),
+        (
+            "a base level that makes none",
+            &|gl| (set(gl, GL_GENERATE_MIPMAP, 0), image(gl, 0, 8, 20)).1,
+            [20, 10, 10, 10],
+        ),
+        ("a base level that makes them anew", &|gl| image(gl, 0, 8, 20), [20; 4]),
+        ("another level", &|gl| image(gl, 1, 4, 30), [10, 30, 10, 10]),
+        (
+            "a part of another level",
+            &|gl| {
+                gl.tex_sub_image_2d(GL_TEXTURE_2D, 2, 0, 0, 1, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE, &[40u8]);
+            },
+            [10, 10, 40, 10],
+        ),
+        (
+            "the limits of levels",
+            &|gl| {
+                set(gl, GL_TEXTURE_MAX_LEVEL, 1);
+                image(gl, 0, 8, 50);
+            },
+            [50, 50, 10, 10],
+        ),
+    ];
+    for (name, change, expected) in changes {
+        let mut gl = Context::new(8, 8);
+        set(&mut gl, GL_GENERATE_MIPMAP, 1);
+        image(&mut gl, 0, 8, 10);
+        change(&mut gl);
+        let found = [0, 1, 2, 3].map(|level| read(&mut gl, level));
+        assert_eq!((found, gl.check()), (expected, Ok(())), "{name}");
+    }
+}

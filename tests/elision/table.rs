@@ -259,6 +259,13 @@ pub const ROWS: &[Row] = &[
         count: |w| w.plan.fragment_stages.iter().filter(|name| **name == "COORDINATES").count() as u64 - 1,
     },
     Row {
+        name: "mipmap levels that no filter reads",
+        state: textured,
+        left_out: |gl| (filters(gl, GL_LINEAR, GL_LINEAR), quad(gl)).1,
+        near_miss: |gl| (filters(gl, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR), quad(gl)).1,
+        count: |w| w.counters.levels_built,
+    },
+    Row {
         name: "the specular term, where its colour is black",
         state: lit,
         left_out: |gl| specular(gl, 0.0),
