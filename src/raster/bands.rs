@@ -151,7 +151,7 @@ impl<P: Shader> Flush<'_, P> {
                 to.ordered = draw.program.ordered();
                 to.row_from(draw.program.row_from());
             }
-            to.primitive(i, of.origin);
+            to.primitive(i, of.origin, of.member.is_some());
             self.primitive(prim, draw, &rows, to, &mut sink);
         }
         to.finish(&mut sink);

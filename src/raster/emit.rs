@@ -75,6 +75,8 @@ pub struct Emitter {
     pub ordered: bool,
     prim: u32,
     origin: [i32; 2],
+    /// Whether the primitive's planes are in a group: then its pixels come lane by lane.
+    grouped: bool,
 }
 
 impl Emitter {
@@ -98,6 +100,7 @@ impl Emitter {
             ordered: true,
             prim: 0,
             origin: [0; 2],
+            grouped: false,
         }
     }
 
@@ -117,8 +120,8 @@ impl Emitter {
 
     /// Says whose pixels come next.
     #[inline]
-    pub fn primitive(&mut self, prim: u32, origin: [i32; 2]) {
-        (self.prim, self.origin) = (prim, origin);
+    pub fn primitive(&mut self, prim: u32, origin: [i32; 2], grouped: bool) {
+        (self.prim, self.origin, self.grouped) = (prim, origin, grouped);
     }
 
     /// Hands on what there is.
@@ -144,7 +147,7 @@ impl Emitter {
     #[inline]
     pub fn run(&mut self, x: i32, y: i32, len: i32, coverage: f32, sink: &mut impl Sink) {
         let (mut x, mut len) = (x, len);
-        if len >= self.row_from {
+        if len >= self.row_from && !self.grouped {
             // Pixels of the batch that the run covers come first, whether the order of a batch matters or not.
             let bits = (u64::MAX >> (64 - len.min(64))).rotate_left(x as u32 & 63);
             if self.seen[y as usize & 63] & bits != 0 {
@@ -166,7 +169,7 @@ impl Emitter {
                 continue;
             }
             *seen |= bits;
-            if take as usize >= ROW {
+            if take as usize >= ROW && !self.grouped {
                 self.append_row(x, y, take as u32);
             } else {
                 self.append_lanes(x, y, take as usize);
@@ -284,7 +287,7 @@ impl Emitter {
         }
     }
 
-    /// Appends fewer than [`ROW`] lanes; there is room for them.
+    /// Appends pixels of a row lane by lane; there is room for them.
     #[inline]
     fn append_lanes(&mut self, x: i32, y: i32, take: usize) {
         let offset = self.offset(x, y);

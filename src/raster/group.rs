@@ -1,13 +1,14 @@
 //! Filled triangles wait for each other until there are as many as a group holds, and are then set up together, a triangle
-//! a lane: facing and culling, masks, planes. Those that turn out not to be small are then set up alone. What waits is
-//! filed before anything else is, so that the order of issue is kept.
+//! a lane: facing and culling, masks, planes. Those that are not small (8 by 8 pixels) have edges in place of a mask, and the
+//! large ones (above 16 by 16) are then set up alone. What waits is filed before anything else is, so that the order of
+//! issue is kept.
 //!
 //! The slots of a corner stand in quads: those of slots 0 to 3, 4 to 7 and so on, and one of the last four slots where
 //! their number is no multiple of 4 (then some are in two quads).
 
 use super::VertexRef;
 use super::geometry::{Context, Cover, Geometry};
-use super::group_planes::{Bases, Floats, Linears, NOTHING, SMALL, View};
+use super::group_planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
 use super::masks::Ints;
 use super::setup::{Triangle, clip_mask, twice_area};
 use super::state::{Mode, Rect};
@@ -123,8 +124,7 @@ impl Group {
     }
 
     /// The slots of a corner, in order.
-    fn slots(&self, lane: usize, corner: usize, count: usize) -> [f32; MOST_SLOTS] {
-        let mut slots = [0.0; MOST_SLOTS];
+    fn slots(&self, lane: usize, corner: usize, count: usize, slots: &mut [f32; MOST_SLOTS]) {
         let quads = self.quads.iter().map(|quad| quad[corner % 3][lane % GROUP]);
         for (to, quad) in slots.as_chunks_mut::<4>().0.iter_mut().zip(quads).take(count.div_ceil(4)) {
             *to = quad;
@@ -135,7 +135,6 @@ impl Group {
         {
             to.copy_from_slice(&quad[corner % 3][lane % GROUP][4 - rest..]);
         }
-        slots
     }
 
     /// The vertex at a corner, as far as planes depend on it.
@@ -193,8 +192,8 @@ impl Geometry {
         for lane in 0..count {
             match self.group.kind[lane] {
                 NOTHING => {}
-                SMALL => used |= self.file_member(cx, lane, first),
-                _ => self.file_alone(cx, lane),
+                ALONE => self.file_alone(cx, lane),
+                kind => used |= self.file_member(cx, lane, first, kind),
             }
         }
         if !used {
@@ -204,17 +203,27 @@ impl Geometry {
 
     /// Files a member of a group whose planes begin somewhere. False where it has no pixel.
     #[inline]
-    fn file_member(&mut self, cx: &Context, lane: usize, first: u32) -> bool {
+    fn file_member(&mut self, cx: &Context, lane: usize, first: u32, kind: i32) -> bool {
         let group = &*self.group;
         let [x, y] = [group.first[0][lane], group.first[1][lane]];
-        let mut bits = group.bits[lane];
-        if group.cut[lane] != 0 || cx.rs.polygon_stipple.is_some() {
-            let bounds = Rect { x0: x, y0: y, x1: group.last[0][lane], y1: group.last[1][lane] };
-            bits &= clip_mask(cx, bounds, bounds.and(cx.rs.area));
-        }
-        if bits == 0 {
-            return false;
-        }
+        let bounds = Rect { x0: x, y0: y, x1: group.last[0][lane], y1: group.last[1][lane] };
+        let (cover, pixels) = if kind == MASK {
+            let mut bits = group.bits[lane];
+            if group.cut[lane] != 0 || cx.rs.polygon_stipple.is_some() {
+                bits &= clip_mask(cx, bounds, bounds.and(cx.rs.area));
+            }
+            if bits == 0 {
+                return false;
+            }
+            (Cover::Mask { x, y, bits }, u64::from(bits.count_ones()))
+        } else {
+            let mut p = [0, 1, 2].map(|corner: usize| [0, 1].map(|k: usize| group.snapped[corner][k][lane]));
+            if group.area[lane] < 0 {
+                p.swap(1, 2);
+            }
+            self.edges(&p, bounds.and(cx.rs.area))
+        };
+        let group = &*self.group;
         let planes = if group.odd[lane].is_nan() {
             self.with_lane(cx, lane, |geometry, t, area| geometry.triangle_planes(cx, t, area, false, Mode::Fill))
         } else {
@@ -229,7 +238,7 @@ impl Geometry {
                 member: Some(lane as u8),
             }
         };
-        self.file(Cover::Mask { x, y, bits }, cx.draw, planes, u64::from(bits.count_ones()));
+        self.file(cover, cx.draw, planes, pixels);
         true
     }
 
@@ -248,7 +257,10 @@ impl Geometry {
     fn with_lane<T>(&mut self, cx: &Context, lane: usize, run: impl FnOnce(&mut Self, &Triangle, i64) -> T) -> T {
         let count = cx.recipe.layout().count;
         let vertex = [0, 1, 2].map(|corner| self.group.vertex(lane, corner));
-        let slots = [0, 1, 2].map(|corner| self.group.slots(lane, corner, count));
+        let mut slots = [[0.0; MOST_SLOTS]; 3];
+        for (corner, slots) in slots.iter_mut().enumerate() {
+            self.group.slots(lane, corner, count, slots);
+        }
         let v = [0, 1, 2].map(|i: usize| VertexRef { head: &vertex[i], slots: slots[i].get(..count).unwrap_or(&[]) });
         let t = Triangle { v, provoking: v[2].slots, edges: [true; 3] };
         run(self, &t, twice_area(&v.map(|v| v.head.snapped)))
@@ -279,7 +291,7 @@ mod tests {
 
     /// A small triangle: sometimes in perspective, sometimes a sliver, sometimes with values that are odd.
     fn triangle(random: &mut Random, stride: usize) -> ([Vertex; 3], [Vec<f32>; 3]) {
-        let size = [1.5, 4.0, 7.5, 7.9, 30.0][(random.unit() * 5.0) as usize];
+        let size = [1.5, 4.0, 7.9, 12.0, 16.5, 30.0][(random.unit() * 6.0) as usize];
         let at = [0; 2].map(|_| random.between(-4.0, 60.0));
         let ratio = [1.0, 1.0, 1.5, 100.0, 1e7][(random.unit() * 5.0) as usize];
         let range = [0.0, 1.0, 1.0, 1000.0, 1e7, 1e38][(random.unit() * 6.0) as usize];

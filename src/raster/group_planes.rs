@@ -85,10 +85,14 @@ pub(super) struct View {
     pub offset: Option<[f64; 2]>,
 }
 
-/// What becomes of a triangle: nothing, a member of the group, or that it must be set up alone since it is not small.
+/// What becomes of a triangle: it covers nothing, is a member of the group with a mask, or with edges since it is too large
+/// for a mask, or must be set up alone since it is larger still.
 pub(super) const NOTHING: i32 = 0;
-pub(super) const SMALL: i32 = 1;
-pub(super) const LARGE: i32 = 2;
+pub(super) const MASK: i32 = 1;
+pub(super) const EDGES: i32 = 2;
+pub(super) const ALONE: i32 = 3;
+/// The largest bounding box of a member: its runs of pixels are too short to be worth more than lanes of a batch.
+const MOST: i32 = 16;
 
 /// Window x, y, z and w of each corner.
 type Places = [[Floats; 4]; 3];
@@ -107,9 +111,10 @@ fn lanes<T: Copy>(quads: &[[[T; 4]; GROUP]; 3], out: &mut [[[T; GROUP]; 4]; 3]) 
 /// Sets up a group: masks, and planes in one place a slot.
 pub(super) type GroupFn = unsafe fn(&mut Group, &Rules, &View, &mut [PlaneGroup]);
 
-/// Bounding boxes, areas, and what becomes of each triangle. Returns the largest width and height of small ones.
+/// Bounding boxes, areas, and what becomes of each triangle. Returns the largest width and height of masks, and whether
+/// there are members.
 #[inline(always)]
-fn sort(group: &mut Group, view: &View) -> [u32; 2] {
+fn sort(group: &mut Group, view: &View) -> ([u32; 2], bool) {
     let Group { snapped: p, first, last, area, kind, cut, .. } = group;
     for i in 0..GROUP {
         // What is not within the limit comes to nothing: three times the same corner.
@@ -131,7 +136,7 @@ fn sort(group: &mut Group, view: &View) -> [u32; 2] {
             last[k][i] = (a.max(b).max(c) + 128) >> 8;
         }
     }
-    let (mut width, mut height) = (0, 0);
+    let (mut width, mut height, mut members) = (0, 0, 0);
     let [positive, other] = view.culls;
     for i in 0..GROUP {
         let side = |k: usize, c: usize| p[c][k][i] - p[0][k][i];
@@ -139,24 +144,21 @@ fn sort(group: &mut Group, view: &View) -> [u32; 2] {
         area[i] = side(0, 1).wrapping_mul(side(1, 2)).wrapping_sub(side(0, 2).wrapping_mul(side(1, 1)));
         let [x0, y0, x1, y1] = [first[0][i], first[1][i], last[0][i], last[1][i]];
         let (x, y) = (x1 - x0, y1 - y0);
-        let small = (x <= 8) & (y <= 8);
+        let (small, member) = ((x <= 8) & (y <= 8), (x <= MOST) & (y <= MOST));
         let r = &view.area;
         let seen = (x0.max(r.x0) < x1.min(r.x1)) & (y0.max(r.y0) < y1.min(r.y1));
         let culled = ((area[i] > 0) & positive) | ((area[i] <= 0) & other);
-        let nothing = !seen | (small & (culled | (area[i] == 0)));
-        kind[i] = if nothing {
-            NOTHING
-        } else if small {
-            SMALL
-        } else {
-            LARGE
-        };
+        let nothing = !seen | (member & (culled | (area[i] == 0)));
+        let size = if small { MASK } else { EDGES };
+        let size = if member { size } else { ALONE };
+        let size = if nothing { NOTHING } else { size };
+        kind[i] = size;
         cut[i] = i32::from((x0 < r.x0) | (y0 < r.y0) | (x1 > r.x1) | (y1 > r.y1));
-        let member = kind[i] == SMALL;
-        width = width.max(if member { x } else { 0 });
-        height = height.max(if member { y } else { 0 });
+        width = width.max(if size == MASK { x } else { 0 });
+        height = height.max(if size == MASK { y } else { 0 });
+        members |= i32::from((size == MASK) | (size == EDGES));
     }
-    [width.unsigned_abs(), height.unsigned_abs()]
+    ([width.unsigned_abs(), height.unsigned_abs()], members != 0)
 }
 
 /// The pixels that positions are relative to.
@@ -165,7 +167,7 @@ fn origins(group: &mut Group, place: &Places) {
     let Group { snapped: p, first, origin, .. } = group;
     for k in 0..2 {
         for i in 0..GROUP {
-            // The mean of the three, a third at a time in whole pixels: it is between -1 and 9 from the box.
+            // The mean of the three, a third at a time in whole pixels: it is between -1 and 17 from the box.
             let from = first[k][i];
             let sum = (p[0][k][i] + p[1][k][i] + p[2][k][i]) - 768 * from + 768;
             origin[k][i] = from - 1 + ((sum >> 8).wrapping_mul(43691) >> 17);
@@ -373,8 +375,8 @@ fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
 stage! {
     /// Masks and planes of a group.
     pub(super) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, view: &View, out: &mut [PlaneGroup]) {
-        let largest = sort(group, view);
-        if largest == [0; 2] {
+        let (largest, members) = sort(group, view);
+        if !members {
             return;
         }
         let (mut place, mut odd) = ([[ZERO; 4]; 3], ZERO);

@@ -148,13 +148,18 @@ impl Geometry {
             }
             (Cover::Mask { x: bounds.x0, y: bounds.y0, bits }, u64::from(bits.count_ones()))
         } else {
-            let edges = Edges::new(&p, rect);
-            self.edges.push(edges);
-            let pixels = i64::from(rect.x1 - rect.x0) * i64::from(rect.y1 - rect.y0) / 2;
-            (Cover::Edges(index(self.edges.len() - 1)), pixels.unsigned_abs())
+            self.edges(&p, rect)
         };
         let planes = self.triangle_planes(cx, t, area, back, Mode::Fill);
         self.file(cover, cx.draw, planes, pixels);
+    }
+
+    /// Keeps the edges of a counter-clockwise triangle: its cover, and about how many pixels that is.
+    #[inline]
+    pub(super) fn edges(&mut self, p: &[[i32; 2]; 3], rect: Rect) -> (Cover, u64) {
+        self.edges.push(Edges::new(p, rect));
+        let pixels = i64::from(rect.x1 - rect.x0) * i64::from(rect.y1 - rect.y0) / 2;
+        (Cover::Edges(index(self.edges.len() - 1)), pixels.unsigned_abs())
     }
 
     /// The planes of a filled triangle, its slots in the pool.
