@@ -327,7 +327,7 @@ pub fn stages(wrap: GLenum) -> (&'static Stage<TexFn>, &'static Stage<TexFn>) {
     }
 }
 
-/// Whether a wrap mode is one that [`Near`] knows, and then whether it is REPEAT.
+/// Whether a wrap mode is one that `Near` knows, and then whether it is REPEAT.
 #[must_use]
 pub fn near(wrap: GLenum) -> Option<bool> {
     match wrap {
