@@ -12,8 +12,6 @@
 
 #[path = "report/clock.rs"]
 mod clock;
-#[path = "report/compress.rs"]
-mod compress;
 #[path = "report/front.rs"]
 mod front;
 #[path = "report/gl.rs"]

@@ -42,6 +42,8 @@ pub struct Counters {
     pub divisions: u64,
     /// Logarithms for the level of detail.
     pub logarithms: u64,
+    /// Texture coordinates that were wrapped, one for each fragment, level and coordinate.
+    pub wraps: u64,
     /// Mipmap levels that were built.
     pub levels_built: u64,
     /// What each stage did, in the order in which they were met.
@@ -88,7 +90,7 @@ impl Counters {
     }
 
     /// The sums by name, as a table shows them.
-    fn rows(&self) -> [(&'static str, u64); 12] {
+    fn rows(&self) -> [(&'static str, u64); 13] {
         [
             ("vertices transformed", self.vertices),
             ("vertices lit and textured", self.vertices_valued),
@@ -101,6 +103,7 @@ impl Counters {
             ("texels read", self.texels),
             ("divisions by w or q", self.divisions),
             ("logarithms", self.logarithms),
+            ("coordinates wrapped", self.wraps),
             ("mipmap levels built", self.levels_built),
         ]
     }

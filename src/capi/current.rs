@@ -3,17 +3,80 @@
 
 use super::osmesa::OsMesa;
 use crate::Context;
-use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::ptr::null_mut;
 
-thread_local! {
-    static CURRENT: Cell<*mut OsMesa> = const { Cell::new(null_mut()) };
+/// A word of each thread for its handle. A shared library asks a function of the C library where a thread's variables are,
+/// at each access; that took a third of a glColor. Where the linker and the loader are known, two instructions do: the
+/// word lies at a fixed distance from the thread pointer, as in other libraries of GL ("initial exec").
+#[cfg(all(target_arch = "x86_64", target_os = "linux", target_env = "gnu", target_pointer_width = "64"))]
+mod word {
+    use super::OsMesa;
+    use std::arch::{asm, global_asm};
+
+    global_asm!(
+        ".pushsection .tbss.fixedgl_current, \"awT\", @nobits",
+        ".globl fixedgl_current",
+        ".hidden fixedgl_current",
+        ".type fixedgl_current, @object",
+        ".p2align 3",
+        "fixedgl_current:",
+        ".zero 8",
+        ".size fixedgl_current, 8",
+        ".popsection",
+    );
+
+    #[inline(always)]
+    pub(super) fn get() -> *mut OsMesa {
+        let handle: *mut OsMesa;
+        // SAFETY: reads the word above, which every thread has and which begins as zero.
+        unsafe {
+            asm!(
+                "mov {0}, qword ptr [rip + fixedgl_current@GOTTPOFF]",
+                "mov {0}, qword ptr fs:[{0}]",
+                out(reg) handle,
+                options(pure, readonly, nostack, preserves_flags),
+            );
+        }
+        handle
+    }
+
+    pub(super) fn set(handle: *mut OsMesa) {
+        // SAFETY: writes the word above.
+        unsafe {
+            asm!(
+                "mov {0}, qword ptr [rip + fixedgl_current@GOTTPOFF]",
+                "mov qword ptr fs:[{0}], {1}",
+                out(reg) _,
+                in(reg) handle,
+                options(nostack, preserves_flags),
+            );
+        }
+    }
+}
+
+#[cfg(not(all(target_arch = "x86_64", target_os = "linux", target_env = "gnu", target_pointer_width = "64")))]
+mod word {
+    use super::OsMesa;
+    use std::cell::Cell;
+    use std::ptr::null_mut;
+
+    thread_local! {
+        static CURRENT: Cell<*mut OsMesa> = const { Cell::new(null_mut()) };
+    }
+
+    pub(super) fn get() -> *mut OsMesa {
+        CURRENT.get()
+    }
+
+    pub(super) fn set(handle: *mut OsMesa) {
+        CURRENT.set(handle);
+    }
 }
 
 /// The handle that is current in this thread, or null.
+#[inline]
 pub(super) fn get() -> *mut OsMesa {
-    CURRENT.get()
+    word::get()
 }
 
 /// Makes a handle current, or none.
@@ -22,13 +85,13 @@ pub(super) fn get() -> *mut OsMesa {
 /// The handle must be null or come from `Box::into_raw` and stay valid until it is not current any more, and no other
 /// thread may use it meanwhile: what OSMesa asks of its users.
 pub(super) unsafe fn set(handle: *mut OsMesa) {
-    CURRENT.set(handle);
+    word::set(handle);
 }
 
 /// Calls `f` with what is current. A panic ends the command, not the program.
 #[inline]
 pub(super) fn with_handle<T: Default>(f: impl FnOnce(&mut OsMesa) -> T) -> T {
-    let handle = CURRENT.get();
+    let handle = get();
     // SAFETY: `set` was promised a valid handle of this thread. No command calls back into C, so no second reference
     // to it is alive.
     match unsafe { handle.as_mut() } {
@@ -46,4 +109,13 @@ pub(super) fn with<T: Default>(f: impl FnOnce(&mut Context) -> T) -> T {
 /// Calls `f`, which needs no context. A panic ends the command, not the program.
 pub(super) fn without<T: Default>(f: impl FnOnce() -> T) -> T {
     catch_unwind(AssertUnwindSafe(f)).unwrap_or_default()
+}
+
+/// The current context, if nobody traces and no list is open: then a command is nothing but what the engine does. For code
+/// that cannot panic and keeps the context no longer than its call.
+#[inline(always)]
+pub(super) fn quiet<'a>() -> Option<&'a mut Context> {
+    // SAFETY: as in `with_handle`.
+    let context = unsafe { &mut get().as_mut()?.context };
+    context.hooks.none().then_some(context)
 }

@@ -13,4 +13,6 @@ mod memory;
 mod osmesa;
 mod present;
 mod proc_address;
+#[cfg(test)]
+mod quick_tests;
 mod rows;

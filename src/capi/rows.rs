@@ -1,6 +1,7 @@
 //! One exported function for every row of the table and every alias, with the signature that the headers declare.
 
 use super::{current, memory};
+use crate::context::at_once::{AtOnce, if_at_once};
 use crate::context::counts;
 use crate::context::table::Ask;
 use std::collections::BTreeMap;
@@ -94,6 +95,50 @@ const fn presents(name: &str) -> bool {
     matches!(name.as_bytes(), b"glFlush" | b"glFinish")
 }
 
+/// An argument of C as a command takes it that is tried [at once](crate::context::at_once).
+macro_rules! at_once_argument {
+    ([$t:ty; $n:literal], $a:ident, $out:lifetime) => {
+        // SAFETY: the promise of the caller.
+        match unsafe { memory::slice::<$t>($a, $n) }.first_chunk::<$n>() {
+            Some(values) => values,
+            None => break $out false,
+        }
+    };
+    ($k:ident, $a:ident, $out:lifetime) => {
+        crate::context::table::kinds::plain!($k, $a)
+    };
+}
+
+/// One exported function of a command that has a common path: that one is tried first, without a net for panics, of
+/// which it has none. Everything else goes the long way, which is the way of all other commands.
+macro_rules! quick_function {
+    ($symbol:ident $snake:ident ( $($a:ident : $k:tt),* ) $op:ident ( $($e:expr),* )) => {
+        /// # Safety
+        /// Pointers must point to as much memory as GL asks for.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $symbol($($a: c_ty!($k)),*) {
+            #[cold]
+            #[inline(never)]
+            unsafe extern "C" fn long($($a: c_ty!($k)),*) {
+                current::with(|cx| {
+                    // SAFETY (of the blocks that the kinds make): the promise of the caller.
+                    $( let $a = from_c!($k, cx, $a); )*
+                    cx.$snake($($a),*)
+                });
+            }
+            #[allow(unused_labels, reason = "numbers need no look")]
+            let done = 'at_once: {
+                $( let $a = at_once_argument!($k, $a, 'at_once); )*
+                current::quiet().is_some_and(|cx| AtOnce::$op(&mut cx.engine, $($e),*))
+            };
+            if !done {
+                // SAFETY: the arguments are those of this call.
+                unsafe { long($($a),*) };
+            }
+        }
+    };
+}
+
 /// One exported function.
 macro_rules! function {
     ($symbol:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) [$($r:ident)?]) => {
@@ -142,6 +187,21 @@ macro_rules! exports {
     };
 }
 
+/// The exported functions of a typed form.
+macro_rules! form_exports {
+    ($name:ident [$($alias:ident)*] $snake:ident $args:tt $op:ident $call:tt) => {
+        if_at_once! { $op, {
+            quick_function! { $name $snake $args $op $call }
+            form_exports! { @aliases [$($alias)*] $snake $args $op $call }
+        }, {
+            exports! { $name [$($alias)*] $snake $args [] }
+        } }
+    };
+    (@aliases [$($alias:ident)*] $snake:ident $args:tt $op:ident $call:tt) => {
+        $( form_exports! { $alias [] $snake $args $op $call } )*
+    };
+}
+
 macro_rules! c_abi {
     (
         canonical { $($canonical:tt)* }
@@ -158,7 +218,7 @@ macro_rules! c_abi {
         handmade { $($handmade:tt)* }
     ) => {
         $( exports! { $c_name [$($c_alias)*] $c_snake $c_args [] } )*
-        $( $( exports! { $f_name [$($f_alias)*] $f_snake $f_args [] } )* )*
+        $( $( form_exports! { $f_name [$($f_alias)*] $f_snake $f_args $op $f_call } )* )*
         $( exports! { $o_name [$($o_alias)*] $o_snake $o_args [$($or)?] } )*
         $( exports! { $n_name [$($n_alias)*] $n_snake $n_args [$($nr)?] } )*
         $( $( exports! { $q_name [$($q_alias)*] $q_snake $q_args [] $q_type } )* )*
@@ -181,11 +241,13 @@ macro_rules! c_abi {
 
 macro_rules! chapters {
     ($($chapter:ident: $table:ident;)*) => {
-        $( mod $chapter {
+        $( pub(super) mod $chapter {
             #[allow(unused_imports, reason = "not every chapter has every kind of argument")]
             use super::*;
             #[allow(unused_imports, reason = "size expressions name enumerants")]
             use crate::enums::*;
+            #[allow(unused_imports, reason = "only the forms of a vertex are made here from their canonical commands")]
+            use crate::context::convert::*;
             crate::context::table::$chapter::$table!(c_abi);
         } )*
 

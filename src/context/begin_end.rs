@@ -3,6 +3,7 @@
 //! something asks for what was drawn. State cannot change between Begin and End, except for materials: before one
 //! changes, the vertices that wait run with the material of their time.
 
+use super::at_once::AtOnce;
 use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation};
@@ -66,6 +67,14 @@ impl Engine {
     /// A vertex with the current attributes. Outside of Begin and End it does nothing.
     #[inline]
     pub(crate) fn vertex(&mut self, position: [f32; 4]) {
+        if !AtOnce::vertex(self, position) {
+            self.rare_vertex(position);
+        }
+    }
+
+    /// A vertex that fills its batch, that comes after a change, or that is outside.
+    #[inline(never)]
+    fn rare_vertex(&mut self, position: [f32; 4]) {
         match self.primitive {
             Primitive::Inside => {
                 if self.pipe.vertex(position, &self.state.current) {
@@ -101,26 +110,26 @@ impl Engine {
 
     #[inline]
     pub(crate) fn color(&mut self, color: [f32; 4]) {
-        self.state.current.color = color;
-        if self.state.lighting.color_material {
+        if !AtOnce::color(self, color) {
+            self.state.current.color = color;
             self.track_color();
         }
     }
 
     #[inline]
     pub(crate) fn secondary_color(&mut self, color: [f32; 4]) {
-        self.state.current.secondary_color = color;
+        AtOnce::secondary_color(self, color);
     }
 
     #[inline]
     pub(crate) fn normal(&mut self, normal: [f32; 3]) {
-        self.state.current.normal = normal;
+        AtOnce::normal(self, normal);
     }
 
     #[inline]
     pub(crate) fn tex_coord(&mut self, coordinates: [f32; 4]) {
-        self.state.current.tex_coord[0] = coordinates;
-        if coordinates[3] != 1.0 {
+        if !AtOnce::tex_coord(self, coordinates) {
+            self.state.current.tex_coord[0] = coordinates;
             self.unit_has_q(0);
         }
     }
@@ -141,13 +150,14 @@ impl Engine {
 
     #[inline]
     pub(crate) fn multi_tex_coord(&mut self, target: GLenum, coordinates: [f32; 4]) -> Outcome {
+        if AtOnce::multi_tex_coord(self, target, coordinates) {
+            return Ok(());
+        }
         let unit = target.wrapping_sub(GL_TEXTURE0) as usize;
         match self.state.current.tex_coord.get_mut(unit) {
             Some(current) => {
                 *current = coordinates;
-                if coordinates[3] != 1.0 {
-                    self.unit_has_q(unit);
-                }
+                self.unit_has_q(unit);
                 Ok(())
             }
             None => Err(invalid_enum(format!(
@@ -160,17 +170,17 @@ impl Engine {
 
     #[inline]
     pub(crate) fn fog_coord(&mut self, coordinate: f32) {
-        self.state.current.fog_coord = coordinate;
+        AtOnce::fog_coord(self, coordinate);
     }
 
     #[inline]
     pub(crate) fn index(&mut self, index: f32) {
-        self.state.current.index = index;
+        AtOnce::index(self, index);
     }
 
     #[inline]
     pub(crate) fn edge_flag(&mut self, flag: bool) {
-        self.state.current.edge_flag = flag;
+        AtOnce::edge_flag(self, flag);
     }
 
     /// A rectangle with sides parallel to the axes, as a polygon.

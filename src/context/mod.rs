@@ -4,6 +4,7 @@
 
 pub(crate) mod args;
 pub(crate) mod arrays;
+pub(crate) mod at_once;
 pub(crate) mod attrib;
 pub(crate) mod begin_end;
 pub(crate) mod buffers;
@@ -68,6 +69,13 @@ pub(crate) struct Hooks(u8);
 impl Hooks {
     const TRACING: u8 = 1;
     const RECORDING: u8 = 2;
+
+    /// Whether there is nothing to look at.
+    #[cfg(feature = "capi")]
+    #[inline]
+    pub(crate) fn none(self) -> bool {
+        self.0 == 0
+    }
 
     /// Whether a trace callback listens.
     #[inline]

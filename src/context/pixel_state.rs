@@ -6,6 +6,7 @@ use super::{Params, Pixels, Values};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_value};
 use crate::pixels::{ClientImage, ClientTarget, PixelFormat, Transfer};
+use crate::texture::s3tc::Fit;
 
 impl Engine {
     pub(crate) fn pixel_storei(&mut self, pname: GLenum, param: i32) -> Outcome {
@@ -72,5 +73,13 @@ impl Engine {
     /// The transfer state for colours, depths and indices on their way.
     pub(crate) fn transfer(&self) -> Transfer<'_> {
         Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps }
+    }
+
+    /// How the blocks of compressed images are chosen from here on.
+    pub(crate) fn fit(&self) -> Fit {
+        match self.state.hint.texture_compression {
+            GL_NICEST => Fit::LeastSquares,
+            _ => Fit::Extremes,
+        }
     }
 }

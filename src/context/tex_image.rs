@@ -240,7 +240,8 @@ impl Engine {
         {
             return self.after_image_change(place, level);
         }
-        let image = Image::from_client(internal, dimensions, size, border, client.as_ref(), self.transfer())?;
+        let image =
+            Image::from_client(internal, dimensions, size, border, client.as_ref(), self.transfer(), self.fit())?;
         self.put_image(place, level, Arc::new(image))
     }
 
@@ -258,11 +259,13 @@ impl Engine {
             return Ok(false);
         }
         self.free_image(place, level);
+        let fit = self.fit();
         let bound = self.bound_name(place.target);
         let object = self.textures.object_mut(place.target, bound);
         let slot = object.faces.get_mut(place.face).and_then(|levels| levels.get_mut(level));
         let Some(image) = slot.and_then(Option::as_mut).and_then(Arc::get_mut) else { return Ok(false) };
         let transfer = Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
+        image.fit = fit;
         image.upload(image.first(), pixels, transfer)?;
         Ok(true)
     }

@@ -146,6 +146,7 @@ impl Engine {
         let border = border.unsigned_abs();
         let interior = size.map(|n| n.unsigned_abs().saturating_sub(2 * border));
         let mut image = Image::new(format, dimensions_of(place.target), interior, border)?;
+        image.fit = self.fit();
         let first = image.first();
         self.flush_scene();
         self.copy_rows(&mut image, first, from, [size[0], size[1]])?;

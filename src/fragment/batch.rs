@@ -1,6 +1,7 @@
 //! Sixty-four fragments as structures of arrays. The rasteriser appends *segments*: runs of lanes that belong to one
 //! primitive. Stages that need the primitive (interpolation) walk the segments; all others see 64 lanes.
 
+use super::detail::Ahead;
 use crate::batch::LANES;
 use crate::texture::batch::{Lanes, TexBatch};
 
@@ -41,6 +42,8 @@ pub struct FragmentBatch {
     pub dy: Lanes,
     /// 1 / (relative 1/w): what a numerator plane is multiplied with.
     pub rw: Lanes,
+    /// The same in `f64`, where a unit has left it for the units that follow.
+    pub rw64: [f64; LANES],
     /// Window depth in units of the depth buffer.
     pub z: [u32; LANES],
     /// What the depth buffer holds.
@@ -68,6 +71,10 @@ pub struct FragmentBatch {
     pub segments: [Segment; LANES],
     /// How many segments are in use.
     pub segment_count: usize,
+    /// What is known of the run that the batch is a part of.
+    pub ahead: Ahead,
+    /// Whether `rw64` is that of this batch.
+    pub has_rw64: bool,
     /// Whether no segment is a row; programs find out themselves.
     pub dense: bool,
     /// Whether a fragment is still alive after the last test.
@@ -96,6 +103,9 @@ impl FragmentBatch {
             packed_dst: [0; LANES],
             packed: [0; LANES],
             coverage: Z,
+            ahead: Ahead::default(),
+            rw64: [0.0; LANES],
+            has_rw64: false,
             dense: false,
             alive: false,
             tex: TexBatch::new(),

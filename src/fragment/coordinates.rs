@@ -9,43 +9,50 @@
 //! result becomes `f32`. Whatever comes in, a finite coordinate goes out: what is not finite becomes 0.
 
 use super::batch::{FragmentBatch, Segment};
-use super::interpolate::{FIRST, group, reciprocal64, reciprocals};
+use super::detail;
+use super::interpolate::{FIRST, group, reciprocals};
 use super::planes::{GROUP, Linear, Plane, PlaneGroup, Planes, UnitSlots};
 use super::segments::{
-    CHUNK, Chunk, Piece, Positions, Row, Rows, linear, linear64, one_primitive, pieces, positions, put, single_row,
+    CHUNK, Chunk, Piece, Positions, Row, Rows, linear, one_primitive, pieces, positions, put, row_origin, single_row,
 };
 use super::uniforms::{FragFn, FragUniforms, Work};
+use super::wide::{wide_lanes, wide_piece};
 use crate::batch::{LANES, stage};
 use crate::num::{clamp_f32, max_f32};
-use crate::texture::batch::{Lanes, TexBatch};
+use crate::texture::batch::{Detail, Lanes};
 
-/// Bits of the number of [`COORDINATES`]: [`FIRST`], this one for derivatives, the unit from bit 2 on.
+/// Bits of the number of [`COORDINATES`]: [`FIRST`], this one for derivatives, the unit from bit 2 on, then [`ALONE`].
 pub(super) const DERIVATIVES: u32 = 2;
+/// No later stage reads 1 / D: it need not be left behind.
+pub(super) const ALONE: u32 = 1 << 8;
+
+/// A later unit is divided by D as well and may take what 1 / D this one leaves in `f64`.
+pub(super) const SHARED: u32 = 1 << 9;
+/// An earlier unit may have left 1 / D in `f64`.
+pub(super) const AGAIN: u32 = 1 << 10;
+
+/// The unit in the number of [`COORDINATES`].
+pub(super) fn unit_of(number: u32) -> usize {
+    (number >> 2) as usize & 31
+}
 
 /// What is not finite becomes 0.
 #[inline(always)]
-fn finite(v: f32) -> f32 {
+pub(super) fn finite(v: f32) -> f32 {
     // The exponent of infinities and NaN is all ones; a comparison of floats would do, but this selects by bits.
     let bits = v.to_bits();
     let keep = u32::from(bits & 0x7F80_0000 != 0x7F80_0000).wrapping_neg();
     f32::from_bits(bits & keep)
 }
 
-/// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
-#[inline(always)]
-fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
-    v - period * ((v * inverse + MAGIC) - MAGIC)
-}
-
 /// One unit's planes: those of its coordinates and the divisor.
-struct Unit<'a, const K: usize> {
-    planes: &'a Planes,
-    coords: &'a [Plane; K],
+pub(super) struct Unit<'a, const K: usize> {
+    pub planes: &'a Planes,
+    pub coords: &'a [Plane; K],
     /// Q, or D where the unit has no q.
-    divisor: Linear,
-    has_q: bool,
-    wide: bool,
+    pub divisor: Linear,
+    pub has_q: bool,
+    pub wide: bool,
 }
 
 /// The planes of a segment's primitive for a unit.
@@ -68,12 +75,17 @@ fn unit<'a, const K: usize>(w: &Work<'a, '_>, segment: &Segment, slots: &UnitSlo
     Some(Unit { planes, coords, divisor, has_q, wide })
 }
 
-/// 1 / D, or 1 / Q where the unit has a q. 1 / D is kept for the stages that follow, or taken from the one before.
+/// 1 / D, or 1 / Q where the unit has a q. 1 / D is left for later stages that read it, or taken from an earlier one.
 #[inline(always)]
-fn divisors<const K: usize>(rw: &mut Lanes, unit: &Unit<'_, K>, places: &impl Positions, first: bool) -> Lanes {
+pub(super) fn divisors<const K: usize>(
+    rw: &mut Lanes,
+    unit: &Unit<'_, K>,
+    places: &impl Positions,
+    first: First,
+) -> Lanes {
     let d = &unit.divisor;
     let (d_at, d_x, d_y) = (d.at as f32, d.x as f32, d.y as f32);
-    if !unit.has_q && !first {
+    if !unit.has_q && !first.computes {
         return *rw;
     }
     let mut rq = [1.0; LANES];
@@ -82,10 +94,17 @@ fn divisors<const K: usize>(rw: &mut Lanes, unit: &Unit<'_, K>, places: &impl Po
             rq[i] = 1.0 / ((d_at + d_y * places.y(i)) + d_x * places.x(i));
         }
     }
-    if !unit.has_q {
+    if !unit.has_q && first.leaves {
         *rw = rq;
     }
     rq
+}
+
+/// Whether a unit's derivatives are the same everywhere: those of its numerators.
+#[inline(always)]
+pub(super) fn is_even<const K: usize>(unit: &Unit<'_, K>) -> bool {
+    let d = &unit.divisor;
+    unit.planes.affine && !unit.has_q && d.at == 1.0 && d.x == 0.0 && d.y == 0.0
 }
 
 /// Lanes of one primitive that fill the batch, all in `f32`.
@@ -94,18 +113,23 @@ fn lanes<const K: usize>(
     b: &mut FragmentBatch,
     unit: &Unit<'_, K>,
     places: &impl Positions,
-    first: bool,
+    first: First,
     derivatives: bool,
 ) {
     let one = unit.planes.affine && !unit.has_q;
     let (d_x, d_y) = (unit.divisor.x as f32, unit.divisor.y as f32);
-    let rq = if one && !first { [1.0; LANES] } else { divisors(&mut b.rw, unit, places, first) };
+    let even = is_even(unit);
+    if even {
+        b.tex.detail = Detail::Even;
+    }
+    let rq = if one && !first.computes { [1.0; LANES] } else { divisors(&mut b.rw, unit, places, first) };
     for k in 0..K {
         let p = &unit.coords[k];
         let (c, min, max) = (p.c, p.min, p.max);
         let (at, x, y) = (p.n0 as f32, p.nx as f32, p.ny as f32);
         let n = |i: usize| (at + y * places.y(i)) + x * places.x(i);
         b.tex.limit[k] = max_f32(max.abs(), min.abs());
+        b.tex.least[k] = min;
         let out = &mut b.tex.coord[k];
         let (ddx, ddy) = (&mut b.tex.ddx[k], &mut b.tex.ddy[k]);
         if one {
@@ -125,7 +149,7 @@ fn lanes<const K: usize>(
             }
         }
         if one && derivatives {
-            if d_x == 0.0 && d_y == 0.0 {
+            if even {
                 // (N_x - t 0) 1 is N_x.
                 *ddx = [x; LANES];
                 *ddy = [y; LANES];
@@ -142,101 +166,10 @@ fn lanes<const K: usize>(
 
 /// [`finite`] for all lanes. Between finite limits it has nothing to do.
 #[inline(always)]
-fn all_finite(out: &mut Lanes, min: f32, max: f32) {
+pub(super) fn all_finite(out: &mut Lanes, min: f32, max: f32) {
     if !(min.is_finite() && max.is_finite()) {
         for v in out {
             *v = finite(*v);
-        }
-    }
-}
-
-/// Lanes of one primitive that fill the batch, in `f64`: [`wide`] for all lanes at once.
-#[inline(always)]
-fn wide_lanes<const K: usize>(
-    b: &mut FragmentBatch,
-    unit: &Unit<'_, K>,
-    places: &impl Positions,
-    slots: &UnitSlots,
-    first: bool,
-    derivatives: bool,
-) {
-    // As in the pieces of a segment, positions are whole numbers that went through `f32`.
-    let (px, py) = (|i: usize| f64::from(places.x(i)), |i: usize| f64::from(places.y(i)));
-    let d = &unit.divisor;
-    let mut rq = [0.0; LANES];
-    for i in 0..LANES {
-        rq[i] = reciprocal64((d.at + d.y * py(i)) + d.x * px(i));
-    }
-    if first && !unit.has_q {
-        // What colours are multiplied with is f64 only where the whole primitive is wide.
-        if unit.planes.wide & Planes::WIDE_W != 0 {
-            for i in 0..LANES {
-                b.rw[i] = rq[i] as f32;
-            }
-        } else {
-            divisors(&mut b.rw, unit, places, true);
-        }
-    }
-    for k in 0..K {
-        let p = &unit.coords[k];
-        let (c, min, max) = (f64::from(p.c), f64::from(p.min), f64::from(p.max));
-        let TexBatch { coord, ddx, ddy, limit, .. } = &mut b.tex;
-        let (out, ddx, ddy) = (&mut coord[k], &mut ddx[k], &mut ddy[k]);
-        let of = Wide { n0: p.n0, nx: p.nx, ny: p.ny, c, min, max, d_x: d.x, d_y: d.y };
-        let period = f64::from(slots.period[k]);
-        // Half a period is left, and what rounding adds, of numbers that have a fraction.
-        let greatest = max_f32(p.max.abs(), p.min.abs());
-        limit[k] = if slots.period[k] != 0 && greatest < 1e9 { 2.0 } else { greatest };
-        match slots.period[k] {
-            0 => of.lanes([out, ddx, ddy], &rq, places, derivatives, |v| v),
-            1 => of.lanes([out, ddx, ddy], &rq, places, derivatives, |v| without_periods(v, 1.0, 1.0)),
-            _ => of.lanes([out, ddx, ddy], &rq, places, derivatives, |v| without_periods(v, period, 1.0 / period)),
-        }
-        all_finite(out, p.min, p.max);
-    }
-}
-
-/// What [`wide_lanes`] reads for one coordinate.
-struct Wide {
-    n0: f64,
-    nx: f64,
-    ny: f64,
-    c: f64,
-    min: f64,
-    max: f64,
-    d_x: f64,
-    d_y: f64,
-}
-
-impl Wide {
-    /// The coordinate, and its derivatives where they are asked for.
-    #[inline(always)]
-    fn lanes(
-        &self,
-        [out, ddx, ddy]: [&mut Lanes; 3],
-        rq: &[f64; LANES],
-        places: &impl Positions,
-        derivatives: bool,
-        near: impl Fn(f64) -> f64,
-    ) {
-        let Self { n0, nx, ny, c, min, max, d_x, d_y } = *self;
-        let t = |i: usize| ((n0 + ny * f64::from(places.y(i))) + nx * f64::from(places.x(i))) * rq[i];
-        let limited = |t: f64| {
-            let v = c + t;
-            let v = if v > min { v } else { min };
-            near(if v < max { v } else { max }) as f32
-        };
-        if derivatives {
-            for i in 0..LANES {
-                let t = t(i);
-                out[i] = limited(t);
-                ddx[i] = ((nx - t * d_x) * rq[i]) as f32;
-                ddy[i] = ((ny - t * d_y) * rq[i]) as f32;
-            }
-        } else {
-            for i in 0..LANES {
-                out[i] = limited(t(i));
-            }
         }
     }
 }
@@ -320,60 +253,22 @@ fn grouped<const K: usize>(
     }
 }
 
-/// A piece of a segment in `f64`.
-#[inline(always)]
-fn wide<const K: usize>(
-    b: &mut FragmentBatch,
-    unit: &Unit<'_, K>,
-    slots: &UnitSlots,
-    first: bool,
-    derivatives: bool,
-    piece: Piece,
-    (dx, dy): (&Chunk, &Chunk),
-) {
-    if first && !unit.has_q {
-        reciprocals(&mut b.rw, unit.planes, true, piece, dx, dy);
-    }
-    let mut rq = linear64(&unit.divisor, dx, dy);
-    for q in &mut rq {
-        *q = reciprocal64(*q);
-    }
-    let d = &unit.divisor;
-    for k in 0..K {
-        let p = &unit.coords[k];
-        let n = linear64(&Linear { at: p.n0, x: p.nx, y: p.ny }, dx, dy);
-        let (c, min, max) = (f64::from(p.c), f64::from(p.min), f64::from(p.max));
-        let period = f64::from(slots.period[k]);
-        let inverse = if period > 0.0 { 1.0 / period } else { 0.0 };
-        let mut out = [0.0; CHUNK];
-        for i in 0..CHUNK {
-            let v = c + n[i] * rq[i];
-            let v = if v > min { v } else { min };
-            let v = if v < max { v } else { max };
-            out[i] = finite(without_periods(v, period, inverse) as f32);
-        }
-        put(&mut b.tex.coord[k], piece, &out);
-        if derivatives {
-            let mut out_y = [0.0; CHUNK];
-            for i in 0..CHUNK {
-                let t = n[i] * rq[i];
-                out[i] = ((p.nx - t * d.x) * rq[i]) as f32;
-                out_y[i] = ((p.ny - t * d.y) * rq[i]) as f32;
-            }
-            put(&mut b.tex.ddx[k], piece, &out);
-            put(&mut b.tex.ddy[k], piece, &out_y);
-        }
-    }
+/// Whether a stage has to compute 1 / D, whether to leave it for later ones, and whether for later units in `f64`.
+#[derive(Clone, Copy)]
+pub(super) struct First {
+    pub computes: bool,
+    pub leaves: bool,
+    pub shared: bool,
 }
 
 /// All lanes of a batch of one primitive.
 #[inline(always)]
-fn whole<const K: usize>(
+pub(super) fn whole<const K: usize>(
     b: &mut FragmentBatch,
     unit: &Unit<'_, K>,
     places: &impl Positions,
     slots: &UnitSlots,
-    first: bool,
+    first: First,
     derivatives: bool,
 ) {
     if unit.wide {
@@ -385,13 +280,27 @@ fn whole<const K: usize>(
 
 /// All segments of a batch for a unit of K coordinates.
 #[inline(always)]
-fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &UnitSlots, arg: u32) {
-    let (index, first, derivatives) = (arg >> 2, arg & FIRST != 0, arg & DERIVATIVES != 0);
+fn coordinates<const K: usize>(b: &mut FragmentBatch, u: &FragUniforms, w: &Work<'_, '_>, slots: &UnitSlots, arg: u32) {
+    let (index, derivatives) = (unit_of(arg) as u32, arg & DERIVATIVES != 0);
+    let first =
+        First { computes: arg & FIRST != 0, leaves: arg & FIRST != 0 && arg & ALONE == 0, shared: arg & SHARED != 0 };
+    if arg & AGAIN == 0 {
+        b.has_rw64 = false;
+    }
+    b.tex.detail = Detail::Lanes;
     let segments = b.segments.get(..b.segment_count).unwrap_or(&[]);
     if let Some(segment) = one_primitive(segments)
         && let Some(unit) = unit::<K>(w, &segment, slots, index)
     {
         if single_row(b) {
+            let mut derivatives = derivatives;
+            if let Some(Some(levels)) = u.levels.get(index as usize)
+                && !is_even(&unit)
+            {
+                let (x, y) = row_origin(&segment, unit.planes);
+                b.tex.detail = detail::of_row(&mut b.ahead, index as usize, &b.tex, &unit, (x, y, segment.len), levels);
+                derivatives &= b.tex.detail == Detail::Lanes;
+            }
             whole(b, &unit, &Row::new(&segment, unit.planes), slots, first, derivatives);
         } else {
             let rows = Rows::new(segments, (&b.dx, &b.dy), unit.planes);
@@ -400,6 +309,7 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &
         return;
     }
     b.tex.limit = [f32::INFINITY; 3];
+    b.tex.least = [f32::NEG_INFINITY; 3];
     for s in 0..b.segment_count.min(LANES) {
         let segment = b.segments[s];
         if let Some(planes) = w.planes.get(segment.prim as usize)
@@ -407,7 +317,7 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &
         {
             for piece in pieces(&segment) {
                 let (dx, dy) = positions((&b.dx, &b.dy), &segment, planes, piece);
-                grouped(b, planes, group, first, derivatives, piece, (&dx, &dy));
+                grouped(b, planes, group, first.computes, derivatives, piece, (&dx, &dy));
             }
             continue;
         }
@@ -415,9 +325,9 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &
         for piece in pieces(&segment) {
             let (dx, dy) = positions((&b.dx, &b.dy), &segment, unit.planes, piece);
             if unit.wide {
-                wide(b, &unit, slots, first, derivatives, piece, (&dx, &dy));
+                wide_piece(b, &unit, slots, first.leaves, derivatives, piece, (&dx, &dy));
             } else {
-                narrow(b, &unit, first, derivatives, piece, (&dx, &dy));
+                narrow(b, &unit, first.computes, derivatives, piece, (&dx, &dy));
             }
         }
     }
@@ -426,11 +336,11 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, w: &Work<'_, '_>, slots: &
 stage! {
     /// The coordinates of one unit, and their derivatives where the sampler needs them.
     pub(super) fn COORDINATES: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        let Some(Some(slots)) = u.layout.units.get((arg >> 2) as usize) else { return };
+        let Some(Some(slots)) = u.layout.units.get(unit_of(arg)) else { return };
         match slots.count {
-            1 => coordinates::<1>(b, w, slots, arg),
-            2 => coordinates::<2>(b, w, slots, arg),
-            _ => coordinates::<3>(b, w, slots, arg),
+            1 => coordinates::<1>(b, u, w, slots, arg),
+            2 => coordinates::<2>(b, u, w, slots, arg),
+            _ => coordinates::<3>(b, u, w, slots, arg),
         }
     }
 }

@@ -10,6 +10,7 @@ pub mod compare;
 mod coordinates;
 mod depth;
 mod depth_rows;
+mod detail;
 mod fill;
 mod float_store;
 mod fog;
@@ -23,6 +24,7 @@ pub mod stencil;
 mod tally;
 mod texel;
 pub mod uniforms;
+mod wide;
 pub mod words;
 
 #[cfg(test)]

@@ -168,6 +168,12 @@ impl Program {
         if self.fill.is_some() { FILLED } else { SPLIT }
     }
 
+    /// Whether a pixel of a large area costs next to nothing: depth and an interpolated colour in one stage.
+    #[must_use]
+    pub fn is_light(&self) -> bool {
+        self.fill.is_some()
+    }
+
     /// Works on pixels of one primitive and row, from its start on as many as pay: the rest, whose number is less than
     /// [`row_from`](Self::row_from) as a rule, must come in batches. Returns how many it has done.
     #[inline]
@@ -194,12 +200,15 @@ impl Program {
         // The first pixel that was worked on, and the first after those that were.
         let (mut first, mut last) = (len, 0);
         batch.alive = false;
+        batch.ahead.begin(len);
         while len - done >= SPLIT {
             if let Some(step) = &self.hidden
                 && !batch.alive
             {
                 // At the start of the run and where nothing was alive, something may be hidden.
-                done += self.measure(step, batch, rest(done), Work { planes, pool, band });
+                let skipped = self.measure(step, batch, rest(done), Work { planes, pool, band });
+                batch.ahead.advance(skipped);
+                done += skipped;
             }
             let n = (len - done).min(LANES as u32);
             if n > 0 {
@@ -207,11 +216,13 @@ impl Program {
                 batch.segment_count = 1;
                 batch.tex.n = n as usize;
                 self.run(batch, planes, pool, band);
+                batch.ahead.advance(n);
                 first = first.min(done);
                 done += n;
                 last = done;
             }
         }
+        batch.ahead.begin(0);
         if let Some(step) = &self.look
             && first < last
         {

@@ -3,14 +3,15 @@
 //! the stages that fill or skip whole runs, so that every stage can be seen.
 
 use super::batch::FragmentBatch;
+use super::coordinates::unit_of;
 use super::interpolate::FIRST;
 use super::planes::Planes;
 use super::program::{Action, Program};
 use super::uniforms::Work;
 use crate::batch::{Counters, Tally};
 
-/// The stages that compute 1 / D if their number has [`FIRST`].
-const INTERPOLATING: &[&str] =
+/// The stages that read 1 / D and compute it if their number has [`FIRST`].
+pub(super) const INTERPOLATING: &[&str] =
     &["COORDINATES", "COLOR", "COLOR_PACKED", "COLOR_STORE", "PRIMARY", "SECONDARY", "FOG_COORDINATE"];
 
 /// Lanes of a batch whose fragment is alive.
@@ -36,8 +37,7 @@ impl Program {
 
     /// Divisions of a step over a batch: by w where it is the first to need it, by q where its unit has one.
     fn divisions(&self, name: &str, arg: u32, batch: &FragmentBatch, planes: &[Planes]) -> u64 {
-        let unit =
-            if name == "COORDINATES" { self.layout.units.get((arg >> 2) as usize).copied().flatten() } else { None };
+        let unit = if name == "COORDINATES" { self.layout.units.get(unit_of(arg)).copied().flatten() } else { None };
         if unit.is_some_and(|unit| unit.has_q && !unit.cube) {
             return batch.tex.n as u64;
         }
@@ -64,7 +64,8 @@ impl Program {
                         let Some(sampler) = self.samplers.get(*i) else { continue };
                         let done = sampler.done(&batch.tex);
                         all.texels += done.texels * before;
-                        all.logarithms += done.logarithms * before;
+                        all.wraps += done.wraps * before;
+                        all.logarithms += done.logarithms * before + done.logarithms_once;
                         sampler.plan.steps.iter().for_each(|step| all.add_stage(step.name, before, left));
                     }
                     Action::Environments => {

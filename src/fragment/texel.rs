@@ -6,8 +6,9 @@
 //! from fetch to store as it is. Other texels are rounded by the stage that replaces the colour or multiplies it.
 
 use super::batch::FragmentBatch;
+use super::buffers::{places, store};
 use super::compare::{Func, any, compare};
-use super::pack::{byte, pixel};
+use super::pack::{byte, whole_pixel};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::texture::batch::{Lanes, TexBatch};
@@ -43,14 +44,15 @@ fn or(u: &FragUniforms, arg: u32) -> u32 {
     if arg & TESTED == 0 { u.packed_or } else { 0 }
 }
 
-/// A channel of a step, as a byte.
+/// A channel of a step, in 0..=255. Texels and colours are in 0..=1, and so is their product: nothing is to be limited.
 #[inline(always)]
-fn channel<const STEP: u32>(texel: f32, so_far: f32) -> u32 {
-    byte(match STEP {
-        0 => texel,
-        1 => texel * so_far,
-        _ => so_far,
-    })
+fn channel<const STEP: u32>(texel: f32, so_far: f32) -> f32 {
+    255.0
+        * match STEP {
+            0 => texel,
+            1 => texel * so_far,
+            _ => so_far,
+        }
 }
 
 /// The pixels of all lanes.
@@ -64,28 +66,40 @@ fn pixels<const COLOR: u32, const ALPHA: u32>(
     let color = |c: usize, i: usize| channel::<COLOR>(texel[c][i], so_far[c][i]);
     for i in 0..LANES {
         let alpha = channel::<ALPHA>(texel[3][i], so_far[3][i]);
-        out[i] = pixel(color(0, i), color(1, i), color(2, i), alpha) | or;
+        out[i] = whole_pixel(color(0, i), color(1, i), color(2, i), alpha) | or;
+    }
+}
+
+/// What the environment of [`ENV_PACK`]'s number gives.
+#[inline(always)]
+fn environment(tex: &TexBatch, or: u32, arg: u32, out: &mut [u32; LANES]) {
+    let TexBatch { texel, primary, previous, .. } = tex;
+    let Some(texel) = texel.get((arg >> 2 & 63) as usize) else { return };
+    let so_far = if arg & LATER == 0 { primary } else { previous };
+    match arg >> 8 {
+        0 => pixels::<0, 0>(texel, so_far, or, out),
+        1 => pixels::<1, 0>(texel, so_far, or, out),
+        2 => pixels::<2, 0>(texel, so_far, or, out),
+        4 => pixels::<0, 1>(texel, so_far, or, out),
+        5 => pixels::<1, 1>(texel, so_far, or, out),
+        6 => pixels::<2, 1>(texel, so_far, or, out),
+        8 => pixels::<0, 2>(texel, so_far, or, out),
+        9 => pixels::<1, 2>(texel, so_far, or, out),
+        _ => pixels::<2, 2>(texel, so_far, or, out),
     }
 }
 
 stage! {
     /// The last environment and the rounding of what it gives.
     pub(super) fn ENV_PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
-        let TexBatch { texel, primary, previous, .. } = &b.tex;
-        let Some(texel) = texel.get((arg >> 2 & 63) as usize) else { return };
-        let so_far = if arg & LATER == 0 { primary } else { previous };
-        let (or, out) = (or(u, arg), &mut b.packed);
-        match arg >> 8 {
-            0 => pixels::<0, 0>(texel, so_far, or, out),
-            1 => pixels::<1, 0>(texel, so_far, or, out),
-            2 => pixels::<2, 0>(texel, so_far, or, out),
-            4 => pixels::<0, 1>(texel, so_far, or, out),
-            5 => pixels::<1, 1>(texel, so_far, or, out),
-            6 => pixels::<2, 1>(texel, so_far, or, out),
-            8 => pixels::<0, 2>(texel, so_far, or, out),
-            9 => pixels::<1, 2>(texel, so_far, or, out),
-            _ => pixels::<2, 2>(texel, so_far, or, out),
-        }
+        environment(&b.tex, or(u, arg), arg, &mut b.packed);
+    }
+
+    /// [`ENV_PACK`] and [`STORE`](super::pack::STORE) where nothing comes between them.
+    pub(super) fn ENV_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let mut out = [0; LANES];
+        environment(&b.tex, or(u, arg), arg, &mut out);
+        store(places!(b), &b.tex.mask, &out, w.band.rgba8);
     }
 
     /// The texels as pixels.

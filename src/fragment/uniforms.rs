@@ -6,12 +6,16 @@ use super::blend::{Equation, Factor};
 use super::planes::{Layout, PlanePool, Planes};
 use super::stencil::StencilOp;
 use crate::framebuffer::Band;
+use crate::limits::MAX_TEXTURE_UNITS;
+use crate::texture::lod::Levels;
 
 /// The numbers behind a program.
 #[derive(Clone, Debug, Default)]
 pub struct FragUniforms {
     /// Which slot holds what.
     pub layout: Layout,
+    /// For each unit the levels of a filter that may do without derivatives.
+    pub levels: [Option<Levels>; MAX_TEXTURE_UNITS],
     /// The largest depth value, as a float.
     pub depth_max: f64,
     /// Bits that are set in every packed pixel: alpha where the format has none.

@@ -25,6 +25,8 @@ pub(super) struct Flush<'a, P> {
 
 /// Work, in fragments, from which on more than one thread pays: starting a thread takes about as long as a few thousand.
 const PAYS: u64 = 40_000;
+/// So many pixels of light programs cost what one of others does.
+const LIGHT: u64 = 5;
 /// What a primitive costs besides its fragments, in fragments.
 const PRIMITIVE: u64 = 4;
 
@@ -68,7 +70,9 @@ pub(super) fn flush<P: Shader>(
     let height = framebuffer.height();
     let rows = band_rows(framebuffer.width(), height);
     let count = height.div_ceil(rows) as usize;
-    let work = geometry.pixels + PRIMITIVE * geometry.prims.len() as u64;
+    let light = flush.draws.iter().all(|draw| draw.program.is_light());
+    let pixels = if light { geometry.pixels / LIGHT } else { geometry.pixels };
+    let work = pixels + PRIMITIVE * geometry.prims.len() as u64;
     let workers = threads.min(count).min(usize::try_from(work / PAYS).unwrap_or(1) + 1).max(1);
     emitters.resize_with(emitters.len().max(workers), || Emitter::new(flush.level));
     // One thread, too, goes band by band where pixels are drawn over and over: a band stays in the cache.

@@ -10,9 +10,10 @@ use super::VertexRef;
 use super::geometry::{Context, Cover, Geometry};
 use super::group_planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
 use super::masks::Ints;
-use super::setup::{Triangle, clip_mask, twice_area};
+use super::setup::{Triangle, clip_mask};
 use super::state::{Mode, Rect};
 use super::vertex::Vertex;
+use super::vertex::twice_area;
 use crate::fragment::planes::{GROUP, Linear, Planes};
 
 /// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.
@@ -91,7 +92,9 @@ impl Group {
         let [Some(a), Some(b), Some(c)] = v.map(|v| v.slots.get(..count)) else { return false };
         let ((a4, a), (b4, b), (c4, c)) = (a.as_chunks::<4>(), b.as_chunks::<4>(), c.as_chunks::<4>());
         for (quad, ((qa, qb), qc)) in self.quads.iter_mut().zip(a4.iter().zip(b4).zip(c4)) {
-            (quad[0][lane], quad[1][lane], quad[2][lane]) = (*qa, *qb, *qc);
+            quad[0][lane] = *qa;
+            quad[1][lane] = *qb;
+            quad[2][lane] = *qc;
         }
         let whole = count / 4;
         if let Some(quad) = self.quads.get_mut(whole).filter(|_| !count.is_multiple_of(4)) {

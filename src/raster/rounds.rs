@@ -1,8 +1,9 @@
-//! Large draws on several threads. A draw is cut into pieces, and pieces are taken in rounds: first workers set up the
-//! primitives of one piece after the other, each piece in a geometry of its own, then they walk one band of rows after
-//! the other, through the geometries in the order of the pieces. A pixel sees the same fragments in the same order as
-//! with one thread, so the result is the same to the last bit. The threads live as long as the draw; between the halves
-//! of a round they wait for each other at a gate.
+//! Large draws on several threads. A draw is cut into pieces, and workers do what is to be done next: one sets up the
+//! primitives of a piece, in a geometry of its own, another walks a band of rows through the pieces that are set up, in the
+//! order of the pieces. A pixel sees the same fragments in the same order as with one thread, so the result is the same to
+//! the last bit. A worker waits only where nothing may be done: pieces are set up so far ahead of the slowest band and no
+//! farther, and a band is one worker's at a time. A worker would rather walk what it has set up itself, which is in its
+//! cache. The threads live as long as the draw.
 
 use super::bands::{self, Flush};
 use super::emit::Emitter;
@@ -10,8 +11,9 @@ use super::geometry::Geometry;
 use super::plane::Recipe;
 use super::scene::{Builder, Draw, Shader};
 use crate::framebuffer::{Band, Framebuffer};
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Condvar, Mutex, RwLock};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, RwLock};
 
 /// A draw in pieces.
 pub trait Pieces<P>: Sync {
@@ -23,7 +25,7 @@ pub trait Pieces<P>: Sync {
     fn set_up(&self, piece: usize, own: &mut Self::Own, to: &mut Builder<'_, P>);
 }
 
-/// Pieces of a round for each worker: enough for workers to end a half at about the same time.
+/// Pieces under way for each worker: one that it sets up, one that waits to be walked.
 const EACH: usize = 2;
 
 /// What has been set up of a piece.
@@ -33,45 +35,168 @@ pub(super) struct Part {
     bins: Vec<Vec<u32>>,
 }
 
-/// Where workers wait until all have come. A worker that ends early, by a panic, opens it for good.
-#[derive(Debug)]
-struct Gate {
-    workers: usize,
-    /// How many wait, how often the gate has opened, whether a worker has gone.
-    state: Mutex<(usize, u64, bool)>,
-    open: Condvar,
+/// A place for a piece under way: piece p has place p modulo the number of places.
+#[derive(Clone, Debug, Default)]
+struct Place {
+    /// Whether the piece is set up.
+    ready: bool,
+    /// Who did that.
+    by: usize,
+    /// Which bands it touches.
+    touched: Vec<bool>,
+    /// Bands that have not passed it yet; 0 where the place is free.
+    left: usize,
 }
 
-impl Gate {
-    /// Waits for the others. The last one to come does something before they go on. False if a worker has gone.
-    fn wait(&self, last: impl FnOnce()) -> bool {
-        let Ok(mut state) = self.state.lock() else { return false };
-        let round = state.1;
-        state.0 += 1;
-        if state.0 == self.workers {
-            last();
-            *state = (0, round + 1, state.2);
-            self.open.notify_all();
+/// What a worker does next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Task {
+    /// Sets up a piece.
+    SetUp(usize),
+    /// Walks a band through pieces.
+    Walk(usize, Range<usize>),
+}
+
+/// What has been done and what is being done.
+#[derive(Debug)]
+struct Board {
+    /// Pieces of the draw, and the next of them to be set up.
+    pieces: usize,
+    next: usize,
+    places: Vec<Place>,
+    /// The piece that each band comes to next, and whether somebody walks it.
+    bands: Vec<(usize, bool)>,
+    /// Workers that wait.
+    waiting: usize,
+    /// Whether a worker has ended early.
+    broken: bool,
+}
+
+impl Board {
+    fn new(pieces: usize, places: usize, bands: usize) -> Self {
+        let places = vec![Place::default(); places.max(1)];
+        Self { pieces, next: 0, places, bands: vec![(0, false); bands], waiting: 0, broken: false }
+    }
+
+    fn place(&self, piece: usize) -> &Place {
+        &self.places[piece % self.places.len()]
+    }
+
+    /// Whether a piece is set up and not passed by all bands.
+    fn is_ready(&self, piece: usize) -> bool {
+        piece < self.next && self.place(piece).ready
+    }
+
+    /// Lets a band that nobody walks pass the pieces that do not touch it.
+    fn pass(&mut self, band: usize) {
+        let (mut piece, busy) = self.bands[band];
+        while !busy && self.is_ready(piece) && !self.place(piece).touched[band] {
+            self.has_passed(piece);
+            piece += 1;
         }
-        while state.1 == round && !state.2 {
-            state = match self.open.wait(state) {
-                Ok(state) => state,
-                Err(_) => return false,
-            };
+        self.bands[band].0 = piece;
+    }
+
+    /// A band has passed a piece. The last one makes its place free.
+    fn has_passed(&mut self, piece: usize) {
+        let at = piece % self.places.len();
+        let place = &mut self.places[at];
+        place.left -= 1;
+        place.ready = place.left > 0;
+    }
+
+    /// What a worker may do. What it has set up itself comes first, then setting up, then what others have set up.
+    fn find(&self, worker: usize) -> Option<Task> {
+        let open = self.bands.iter().enumerate().filter(|(_, (piece, busy))| !busy && self.is_ready(*piece));
+        let open = open.map(|(band, (piece, _))| (self.place(*piece).by != worker, *piece, band)).min();
+        let free = self.next < self.pieces && self.place(self.next).left == 0;
+        match open {
+            Some((others, piece, band)) if !(others && free) => {
+                let until = (piece..self.next).find(|piece| !self.is_ready(*piece)).unwrap_or(self.next);
+                Some(Task::Walk(band, piece..until))
+            }
+            _ => free.then_some(Task::SetUp(self.next)),
         }
-        !state.2
+    }
+
+    /// A worker begins a task.
+    fn begin(&mut self, task: &Task) {
+        match task {
+            Task::SetUp(piece) => {
+                self.next = piece + 1;
+                let (at, bands) = (piece % self.places.len(), self.bands.len());
+                (self.places[at].ready, self.places[at].left) = (false, bands);
+            }
+            Task::Walk(band, _) => self.bands[*band].1 = true,
+        }
+    }
+
+    /// A worker has done a task; of a piece that was set up `touched` tells the bands.
+    fn end(&mut self, worker: usize, task: Task, touched: impl Iterator<Item = bool>) {
+        match task {
+            Task::SetUp(piece) => {
+                let at = piece % self.places.len();
+                let place = &mut self.places[at];
+                (place.ready, place.by) = (true, worker);
+                place.touched.clear();
+                place.touched.extend(touched);
+                place.touched.resize(self.bands.len(), false);
+                (0..self.bands.len()).for_each(|band| self.pass(band));
+            }
+            Task::Walk(band, pieces) => {
+                self.bands[band] = (pieces.end, false);
+                pieces.for_each(|piece| self.has_passed(piece));
+                self.pass(band);
+            }
+        }
+    }
+
+    /// Whether all is done, or never will be.
+    fn is_over(&self) -> bool {
+        self.broken || self.bands.iter().all(|(piece, _)| *piece >= self.pieces)
     }
 }
 
-/// Tells the gate when its worker ends in whatever way.
-struct Leaving<'a>(&'a Gate);
+/// The board on the wall, and what those who wait listen for.
+struct Office {
+    board: Mutex<Board>,
+    news: Condvar,
+}
+
+impl Office {
+    fn board(&self) -> MutexGuard<'_, Board> {
+        self.board.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The next task of a worker, once there is one. None where there will be none any more.
+    fn next(&self, mut board: MutexGuard<'_, Board>, worker: usize) -> Option<Task> {
+        loop {
+            if board.is_over() {
+                self.news.notify_all();
+                return None;
+            }
+            if let Some(task) = board.find(worker) {
+                board.begin(&task);
+                if board.waiting > 0 && board.find(usize::MAX).is_some() {
+                    self.news.notify_one();
+                }
+                return Some(task);
+            }
+            board.waiting += 1;
+            board = self.news.wait(board).unwrap_or_else(PoisonError::into_inner);
+            board.waiting -= 1;
+        }
+    }
+}
+
+/// Tells the others when a worker ends by a panic.
+struct Leaving<'a>(&'a Office);
 
 impl Drop for Leaving<'_> {
     fn drop(&mut self) {
         if std::thread::panicking() {
-            let mut state = self.0.state.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            state.2 = true;
-            self.0.open.notify_all();
+            self.0.board().broken = true;
+            self.0.news.notify_all();
         }
     }
 }
@@ -98,36 +223,38 @@ impl<P: Shader> Round<'_, P> {
         let bands: Vec<_> = framebuffer.bands(rows).into_iter().map(Mutex::new).collect();
         let level = self.recipe.level();
         emitters.resize_with(emitters.len().max(workers), || Emitter::new(level));
-        let all = pieces.count();
-        let each = (EACH * workers).min(all);
-        parts.resize_with(parts.len().max(each), RwLock::default);
-        let parts = parts.get(..each).unwrap_or_default();
-        let gate = Gate { workers, state: Mutex::default(), open: Condvar::new() };
-        let (next_part, next_band) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let places = (EACH * workers).min(pieces.count()).max(1);
+        parts.resize_with(parts.len().max(places), RwLock::default);
+        let parts = parts.get(..places).unwrap_or_default();
+        let board = Board::new(pieces.count(), places, bands.len());
+        let office = Office { board: Mutex::new(board), news: Condvar::new() };
+        let number = AtomicUsize::new(0);
         let work = |own: &mut W::Own, emitter: &mut Emitter| {
-            let _leaving = Leaving(&gate);
-            for first in (0..all).step_by(each.max(1)) {
-                let parts = parts.get(..each.min(all - first)).unwrap_or_default();
-                loop {
-                    let number = next_part.fetch_add(1, Ordering::Relaxed);
-                    let Some(Ok(mut part)) = parts.get(number).map(RwLock::write) else { break };
-                    self.set_up(pieces, first + number, own, &mut part, (bands.len(), rows));
-                }
-                if !gate.wait(|| next_part.store(0, Ordering::Relaxed)) {
-                    return;
-                }
-                loop {
-                    let number = next_band.fetch_add(1, Ordering::Relaxed);
-                    let Some(Ok(mut band)) = bands.get(number).map(Mutex::lock) else { break };
-                    for part in parts.iter().filter_map(|part| part.read().ok()) {
-                        let draws = std::slice::from_ref(self.draw);
-                        let flush = Flush { draws, geometry: &part.geometry, cut: self.cut, level };
-                        let bin = part.bins.get(number).map_or(&[][..], Vec::as_slice);
-                        flush.walk(bin.iter().copied(), &mut band, emitter);
+            let _leaving = Leaving(&office);
+            let worker = number.fetch_add(1, Ordering::Relaxed);
+            let mut board = office.board();
+            while let Some(task) = office.next(board, worker) {
+                match &task {
+                    Task::SetUp(piece) => {
+                        let Ok(mut part) = parts[piece % places].write() else { return };
+                        self.set_up(pieces, *piece, own, &mut part, (bands.len(), rows));
+                        board = office.board();
+                        board.end(worker, task, part.bins.iter().map(|bin| !bin.is_empty()));
                     }
-                }
-                if !gate.wait(|| next_band.store(0, Ordering::Relaxed)) {
-                    return;
+                    Task::Walk(number, pieces) => {
+                        let Ok(mut band) = bands[*number].lock() else { return };
+                        for piece in pieces.clone() {
+                            let Ok(part) = parts[piece % places].read() else { return };
+                            let draws = std::slice::from_ref(self.draw);
+                            let flush = Flush { draws, geometry: &part.geometry, cut: self.cut, level };
+                            if let Some(bin) = part.bins.get(*number).filter(|bin| !bin.is_empty()) {
+                                flush.walk(bin.iter().copied(), &mut band, emitter);
+                            }
+                        }
+                        drop(band);
+                        board = office.board();
+                        board.end(worker, task, std::iter::empty());
+                    }
                 }
             }
         };
@@ -158,5 +285,62 @@ impl<P: Shader> Round<'_, P> {
         pieces.set_up(piece, own, &mut to);
         to.settle();
         bands::file(&part.geometry, &mut part.bins, bands.0, bands.1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Board, Task};
+    use crate::raster::testing::Random;
+
+    /// Workers take and end tasks in a random order; what each band has been walked through.
+    fn walked(
+        random: &mut Random,
+        pieces: usize,
+        places: usize,
+        workers: usize,
+        touched: &[Vec<bool>],
+    ) -> Vec<Vec<usize>> {
+        let bands = touched.first().map_or(1, Vec::len);
+        let mut board = Board::new(pieces, places, bands);
+        let mut tasks: Vec<Option<Task>> = vec![None; workers];
+        let mut walked = vec![Vec::new(); bands];
+        while !board.is_over() {
+            assert!(tasks.iter().any(Option::is_some) || board.find(0).is_some(), "nothing may be done");
+            let worker = (random.unit() * workers as f64) as usize % workers;
+            match tasks[worker].take() {
+                None => {
+                    tasks[worker] = board.find(worker);
+                    if let Some(task) = &tasks[worker] {
+                        board.begin(task);
+                    }
+                }
+                Some(task) => {
+                    if let Task::Walk(band, pieces) = &task {
+                        walked[*band].extend(pieces.clone().filter(|piece| touched[*piece][*band]));
+                    }
+                    let piece = if let Task::SetUp(piece) = task { piece } else { 0 };
+                    board.end(worker, task, touched[piece].iter().copied());
+                }
+            }
+        }
+        walked
+    }
+
+    #[test]
+    fn every_band_meets_its_pieces_in_order_whoever_works_when() {
+        let mut random = Random(5);
+        for round in 0..300 {
+            let (pieces, bands) = (1 + round % 23, 1 + round % 7);
+            let density = random.unit();
+            let touched: Vec<Vec<bool>> =
+                (0..pieces).map(|_| (0..bands).map(|_| random.unit() < density).collect()).collect();
+            let (places, workers) = (1 + round % 5, 1 + round % 4);
+            let walked = walked(&mut random, pieces, places, workers, &touched);
+            for (band, walked) in walked.iter().enumerate() {
+                let want: Vec<usize> = (0..pieces).filter(|piece| touched[*piece][band]).collect();
+                assert_eq!(*walked, want, "round {round}, band {band}");
+            }
+        }
     }
 }

@@ -31,6 +31,10 @@ pub trait Shader: Send + Sync {
     fn draws_nothing(&self) -> bool;
     /// Works on a batch.
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>);
+    /// Whether pixels of large areas cost next to nothing.
+    fn is_light(&self) -> bool {
+        false
+    }
     /// Runs from this length on may be given to [`row`](Self::row).
     fn row_from(&self) -> u32;
     /// Works on a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels
@@ -64,6 +68,10 @@ impl<T: Shader> Shader for Arc<T> {
 
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
         (**self).run(batch, planes, pool, band);
+    }
+
+    fn is_light(&self) -> bool {
+        (**self).is_light()
     }
 
     fn row_from(&self) -> u32 {
@@ -103,6 +111,10 @@ impl Shader for Program {
         Program::run(self, batch, planes, pool, band);
     }
 
+    fn is_light(&self) -> bool {
+        Program::is_light(self)
+    }
+
     fn row_from(&self) -> u32 {
         Program::row_from(self)
     }
@@ -130,8 +142,9 @@ pub struct Draw<P> {
 
 /// Bytes after which a scene wants to be flushed where one thread works on it: about what the second-level cache holds.
 const SMALL: usize = 256 << 10;
-/// The same where the work is shared out: enough for all workers to be busy for a while.
-const LARGE: usize = 48 << 20;
+/// The same where the work is shared out: enough for all workers to be busy for some milliseconds, which is long against the
+/// start of a thread, and still within the last cache.
+const LARGE: usize = 4 << 20;
 
 /// Draws and primitives that wait for a flush.
 #[derive(Debug)]
@@ -184,7 +197,14 @@ impl<'a, P> Builder<'a, P> {
     /// whether the edge from each vertex to the next is a boundary edge of its polygon. Vertices must not need clipping.
     #[inline]
     pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
-        self.geometry.triangle(&self.cx, &Triangle { v, provoking: slots(&v, provoking), edges }, self.stipple);
+        // Corner by corner: an index into the array would have it written and read again at once.
+        let [a, b, c] = v;
+        let provoking = match provoking {
+            0 => a.slots,
+            1 => b.slots,
+            _ => c.slots,
+        };
+        self.geometry.triangle(&self.cx, &Triangle { v: [a, b, c], provoking, edges }, self.stipple);
     }
 
     /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a

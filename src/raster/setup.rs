@@ -9,7 +9,7 @@ use super::plane::{Basis, Values};
 use super::point::Dot;
 use super::polygon::{Edges, bounds};
 use super::state::{Mode, Rect};
-use super::vertex::Vertex;
+use super::vertex::{Vertex, twice_area};
 use crate::fragment::planes::{Linear, Planes};
 
 /// Positions of vertices that can be rasterised are below this, in 1/256 pixel: the guard band and some room.
@@ -29,13 +29,6 @@ pub(super) fn relative_snapped(p: [i32; 2], origin: [i32; 2]) -> [f64; 2] {
 /// An unsnapped position as pixels from the centre of the origin pixel.
 pub(super) fn relative(p: [f64; 3], origin: [i32; 2]) -> [f64; 2] {
     [p[0] - (f64::from(origin[0]) + 0.5), p[1] - (f64::from(origin[1]) + 0.5)]
-}
-
-/// Twice the area in units of the grid, positive where the triangle winds counter-clockwise.
-#[inline]
-pub(super) fn twice_area(p: &[[i32; 2]; 3]) -> i64 {
-    let side = |i: usize, k: usize| i64::from(p[i][k]) - i64::from(p[0][k]);
-    side(1, 0) * side(2, 1) - side(2, 0) * side(1, 1)
 }
 
 /// A triangle on its way to being filed.

@@ -75,3 +75,11 @@ impl Vertices {
         self.stride = stride;
     }
 }
+
+/// Twice the area in units of the grid, 1/65536 square pixel, positive where the triangle winds counter-clockwise. Exact for
+/// positions within the guard band.
+#[inline]
+pub(crate) fn twice_area(p: &[[i32; 2]; 3]) -> i64 {
+    let side = |i: usize, k: usize| i64::from(p[i][k]) - i64::from(p[0][k]);
+    side(1, 0) * side(2, 1) - side(2, 0) * side(1, 1)
+}

@@ -18,7 +18,8 @@
 //! LINEAR rounds x - 1 instead of cutting x - 1/2: at a texel's centre the weight may be 1 of i-1 instead of 0 of i, which
 //! is the same colour.
 
-use super::batch::TexBatch;
+use super::batch::{TexBatch, Work};
+use super::near::{Form, Range};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::batch::{LANES, Stage, stage};
 use crate::enums::*;
@@ -30,6 +31,8 @@ pub const COORDINATE: u32 = 3;
 pub const SECOND: u32 = 4;
 /// In the argument of a NEAREST stage: only for lanes marked in `nearest`; the others keep what LINEAR found.
 pub const MERGE: u32 = 8;
+/// In the argument of a LINEAR stage: nothing is made of what is known of the coordinates.
+pub const PLAIN: u32 = 16;
 
 /// From here on every float is a whole number.
 const WHOLE: f32 = 8_388_608.0;
@@ -121,50 +124,6 @@ const TO_BORDER: u8 = 1;
 /// A negative index comes in again at the other end.
 const AROUND: u8 = 2;
 
-/// Below this a coordinate takes its whole part off in one step, and times any N it is below 2^22.
-const NEAR: f32 = 512.0;
-
-/// N less 1 if N is a power of two from 2 on, and no coordinate is as far from 0 as [`NEAR`]: then REPEAT comes down to the
-/// last bits of an index. As N s is exact here, floor(N s) modulo N is the index of N (s - nearest whole number).
-#[inline(always)]
-fn repeat_mask(limit: f32, scale: f32, n: f32) -> Option<u32> {
-    let size = round_to_int(n).cast_unsigned();
-    (limit < NEAR && scale == n && size >= 2 && size.is_power_of_two()).then(|| size.wrapping_sub(1))
-}
-
-/// REPEAT of powers of two, CLAMP and CLAMP_TO_EDGE in one form, for the nearest texel of an image in one step.
-#[derive(Clone, Copy)]
-pub(super) struct Near {
-    n: f32,
-    least: f32,
-    greatest: f32,
-    mask: u32,
-}
-
-impl Near {
-    /// For coordinates no farther from 0 than `limit` and N texels; `None` where REPEAT does not come down to a mask.
-    #[inline(always)]
-    pub(super) fn new(repeats: bool, limit: f32, n: f32) -> Option<Self> {
-        if !repeats {
-            // Limited to just below N, the index is at most N - 1.
-            return Some(Self { n, least: 0.0, greatest: n.next_down(), mask: u32::MAX >> 10 });
-        }
-        let mask = repeat_mask(limit, n, n)?;
-        Some(Self { n, least: -BEYOND, greatest: BEYOND, mask })
-    }
-
-    /// The index of the texel at `s`.
-    #[inline(always)]
-    pub(super) fn index(&self, s: f32) -> u32 {
-        let x = clamp_f32(s * self.n, self.least, self.greatest);
-        let biased = x + MAGIC;
-        biased.to_bits().wrapping_sub(u32::from(biased - MAGIC > x)) & self.mask
-    }
-}
-
-/// No coordinate below [`NEAR`] times N comes here.
-const BEYOND: f32 = 4_194_304.0;
-
 /// A wrap for NEAREST, of any coordinates: REPEAT or, if not `repeats`, CLAMP and CLAMP_TO_EDGE. The argument is that of
 /// the stages.
 #[inline(always)]
@@ -176,31 +135,35 @@ pub(super) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats:
     }
 }
 
-/// REPEAT of coordinates that [`repeat_mask`] allows, two texels and their weight. The low bits of [`MAGIC`] are 0.
+/// A wrap for LINEAR, as [`far_nearest`].
 #[inline(always)]
-fn near_linear(s: f32, n: f32, mask: u32) -> (i32, f32) {
-    let x = (s - ((s + MAGIC) - MAGIC)) * n;
-    let biased = x + (MAGIC - 1.0);
-    ((biased.to_bits() & mask).cast_signed(), (x - 0.5) - (biased - MAGIC))
+pub(super) fn far_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+    if repeats {
+        wrap_linear::<AROUND>(b, u, arg, repeat);
+    } else {
+        wrap_linear::<TO_EDGE>(b, u, arg, clamp);
+    }
 }
 
-/// Runs [`near_linear`] over the lanes if they all read one image that allows it.
+/// REPEAT, or CLAMP and CLAMP_TO_EDGE, by the [`Form`] that the coordinates allow.
 #[inline(always)]
-fn near_repeat(b: &mut TexBatch, u: &UnitUniforms, arg: u32) -> bool {
+fn linear_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     let c = (arg & COORDINATE).min(2) as usize;
     let pass = usize::from(arg & SECOND != 0);
-    let TexBatch { coord, limit, work, .. } = b;
-    if pass == 1 && !work.two_levels {
-        return true;
+    if pass == 1 && !b.work.two_levels {
+        return;
     }
-    let Some(image) = work.same[pass].and_then(|same| u.images.get(same)) else { return false };
-    let n = image.size[c];
-    let Some(mask) = repeat_mask(limit[c], if u.unnormalised { 1.0 } else { n }, n) else { return false };
-    let (s, first, weight) = (&coord[c], &mut work.first[c], &mut work.weight[c]);
-    for i in 0..LANES {
-        (first[i], weight[i]) = near_linear(s[i], n, mask);
+    let image = b.work.same[pass].and_then(|same| u.images.get(same)).filter(|_| arg & PLAIN == 0);
+    let n = image.map_or(1.0, |image| image.size[c]);
+    let scale = if u.unnormalised { 1.0 } else { n };
+    match Form::new(repeats, Range::of(b, c), scale, n) {
+        Some(form) if image.is_some() => {
+            let Work { first, weight, .. } = &mut b.work;
+            let first = &mut first[c];
+            form.run(&b.coord[c], scale, n, &mut weight[c], |i, index| first[i] = index);
+        }
+        _ => far_linear(b, u, arg, repeats),
     }
-    true
 }
 
 /// Size of a level's dimension from that of the base level: halved `level` times, rounded down, at least 1.
@@ -264,13 +227,11 @@ fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: 
 stage! {
     /// REPEAT, two texels and their weight.
     pub fn WRAP_REPEAT_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        if !near_repeat(b, u, arg) {
-            wrap_linear::<AROUND>(b, u, arg, repeat);
-        }
+        linear_lanes(b, u, arg, true);
     }
     /// CLAMP and CLAMP_TO_EDGE, two texels and their weight.
     pub fn WRAP_CLAMP_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_linear::<TO_EDGE>(b, u, arg, clamp);
+        linear_lanes(b, u, arg, false);
     }
     /// CLAMP_TO_BORDER, two texels and their weight.
     pub fn WRAP_BORDER_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
@@ -348,11 +309,11 @@ pub fn period(wrap: GLenum) -> u8 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// The linear and the nearest result of a wrap mode.
-    fn both(wrap: GLenum, s: f32, n: f32) -> ((i32, f32), i32) {
+    pub fn both(wrap: GLenum, s: f32, n: f32) -> ((i32, f32), i32) {
         let x: fn(f32, f32, f32) -> f32 = match wrap {
             GL_CLAMP | GL_CLAMP_TO_EDGE => clamp,
             GL_CLAMP_TO_BORDER => border,
@@ -397,33 +358,6 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn near_coordinates_take_one_step_to_the_same_texel() {
-        let near = (-2_000_000..2_000_000).map(|i| i as f32 / 4096.0).flat_map(|s| [s.next_down(), s, s.next_up()]);
-        let small = (0..NEAR.to_bits()).step_by(4001).map(f32::from_bits).flat_map(|s| [s, -s]);
-        for s in near.chain(small) {
-            for n in [2.0f32, 8.0, 256.0, 8192.0] {
-                let (Some(mask), Some(repeats)) = (repeat_mask(s.abs(), n, n), Near::new(true, s.abs(), n)) else {
-                    continue;
-                };
-                let ((i, w), j) = both(GL_REPEAT, s, n);
-                let (first, weight) = near_linear(s, n, mask);
-                assert_eq!((first, weight.to_bits()), (i, w.to_bits()), "{s:e} of {n}");
-                assert_eq!(repeats.index(s), j.cast_unsigned(), "{s:e} of {n}");
-            }
-            for n in [1.0f32, 2.0, 3.0, 100.0, 8191.0, 8192.0] {
-                let clamps = Near::new(false, f32::INFINITY, n).unwrap();
-                assert_eq!(clamps.index(s), both(GL_CLAMP, s, n).1.cast_unsigned(), "{s:e} of {n}");
-            }
-        }
-        for n in [1.0, 3.0, 100.0] {
-            assert_eq!(repeat_mask(0.5, n, n), None);
-        }
-        assert_eq!(repeat_mask(0.5, 1.0, 256.0), None);
-        assert_eq!(repeat_mask(512.0, 256.0, 256.0), None);
-        assert_eq!(repeat_mask(f32::INFINITY, 256.0, 256.0), None);
     }
 
     #[test]

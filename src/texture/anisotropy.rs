@@ -85,6 +85,7 @@ stage! {
             return;
         }
         b.limit = [f32::INFINITY; 3];
+        b.least = [f32::NEG_INFINITY; 3];
         let TexBatch { coord, work: Work { center, axis, tap_step, tap, .. }, .. } = b;
         let tap = *tap as f32;
         for c in 0..(arg as usize).min(3) {

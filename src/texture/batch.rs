@@ -8,6 +8,18 @@ use crate::limits::MAX_TEXTURE_UNITS;
 /// One float for each lane.
 pub type Lanes = [f32; LANES];
 
+/// What is known of the derivatives in all live lanes of a batch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detail {
+    /// Nothing: each lane has its own.
+    #[default]
+    Lanes,
+    /// They are the same in all lanes, so lane 0 tells for the others.
+    Even,
+    /// They are not there, since this level, counted from the base level, is the only one that live lanes read.
+    Level(u32),
+}
+
 /// The texture part of a fragment batch.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
@@ -39,6 +51,10 @@ pub struct TexBatch {
     pub(super) work: Work,
     /// No coordinate of a lane is farther from 0; infinity where that is not known. Who writes coordinates writes this.
     pub limit: [f32; 3],
+    /// No coordinate of a lane is less; minus infinity where that is not known. Who writes coordinates writes this.
+    pub least: [f32; 3],
+    /// What is known of the derivatives. Who writes derivatives writes this.
+    pub detail: Detail,
     /// How many lanes are in use; stages may compute the rest, whose values mean nothing. (Last, so that all lanes are
     /// aligned to 64 bytes.)
     pub n: usize,
@@ -128,6 +144,8 @@ impl TexBatch {
             packed: [0; LANES],
             work: Work::new(),
             limit: [f32::INFINITY; 3],
+            least: [f32::NEG_INFINITY; 3],
+            detail: Detail::Lanes,
             n: 0,
         }
     }

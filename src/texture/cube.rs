@@ -11,7 +11,7 @@
 //! Of equal components z goes before y and y before x. The zero vector reads the middle of face +z. Derivatives are those
 //! of the projection on the fragment's own face, so no edge between faces ever enters a level of detail.
 
-use super::batch::TexBatch;
+use super::batch::{Detail, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::batch::{LANES, stage};
 
@@ -34,6 +34,8 @@ fn project(is_x: bool, is_y: bool, ma: f32, x: f32, y: f32, z: f32) -> (f32, f32
 #[inline(always)]
 fn faces(b: &mut TexBatch, derivatives: bool) {
     b.limit = [f32::INFINITY; 3];
+    b.least = [f32::NEG_INFINITY; 3];
+    b.detail = Detail::Lanes;
     let TexBatch { coord: [cs, ct, cr], ddx: [sx, tx, rx], ddy: [sy, ty, ry], work, .. } = b;
     for i in 0..LANES {
         let (x, y, z) = (cs[i], ct[i], cr[i]);

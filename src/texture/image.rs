@@ -6,6 +6,7 @@
 
 use super::format::{BaseFormat, InternalFormat, Storage};
 use super::pads::PadKey;
+use super::s3tc::Fit;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
 use crate::limits::MAX_IMAGE_TEXELS;
@@ -56,6 +57,11 @@ pub struct Image {
     pub texels: Texels,
     /// The S3TC blocks of a compressed image as they were given; `texels` holds them decoded.
     pub compressed: Option<Vec<u8>>,
+    /// How its blocks are chosen when texels are given uncompressed: the TEXTURE_COMPRESSION_HINT of the command that
+    /// specified it. Parts written later and the levels below it follow.
+    pub fit: Fit,
+    /// Whether alpha is known to be 255 in every texel, border texels included.
+    pub(super) opaque: bool,
     /// What the ring is filled for now; `None` when it holds border texels or nothing yet.
     pub(super) pads: Option<PadKey>,
     /// The texels with their border, kept while the ring of a bordered image is filled for other wraps.
@@ -148,6 +154,8 @@ impl Image {
             border,
             texels: Texels::zeroed(format.storage, len)?,
             compressed: None,
+            fit: Fit::default(),
+            opaque: false,
             pads: None,
             bordered: None,
         })
@@ -182,6 +190,12 @@ impl Image {
             && self.compressed.is_none()
             && (self.dimensions, self.border) == (dimensions, border)
             && self.full_size() == size
+    }
+
+    /// Whether a sampler finds alpha 255 wherever it looks: in the texels, and in the ring as it is filled now.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.opaque && (self.border != 0 || self.pads.is_some_and(|key| !key.reads_border()))
     }
 
     /// Texels from one row to the next.

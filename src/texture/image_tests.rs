@@ -4,6 +4,7 @@ use super::format::{BaseFormat, FORMATS, InternalFormat, Storage};
 use super::image::{Dimensions, Image, Texels};
 use super::mipmap;
 use super::pads::{Pad, PadKey};
+use super::s3tc::Fit;
 use crate::batch::Level;
 use crate::enums::*;
 use crate::pixels::{ClientImage, PixelFormat, Transfer, format};
@@ -36,7 +37,9 @@ fn noisy(format: GLenum, dimensions: Dimensions, full: [u32; 3], border: u32) ->
     let pixel = PixelFormat::new(pair.0, pair.1).unwrap();
     let size = full.map(|n| n as i32);
     let pixels = ClientImage::new_3d(&bytes, &PixelStore::TIGHT, size, pixel).unwrap();
-    let image = Image::from_client(find(format), dimensions, full, border, Some(&pixels), Transfer::NEUTRAL).unwrap();
+    let image =
+        Image::from_client(find(format), dimensions, full, border, Some(&pixels), Transfer::NEUTRAL, Fit::default())
+            .unwrap();
     (image, bytes)
 }
 
@@ -87,8 +90,16 @@ fn every_internal_format_takes_every_color_pair() {
                 }
             }
             let client = ClientImage::new_2d(&bytes, &PixelStore::TIGHT, [5, 3], pixel).unwrap();
-            let image =
-                Image::from_client(internal, Dimensions::Two, [5, 3, 1], 0, Some(&client), Transfer::NEUTRAL).unwrap();
+            let image = Image::from_client(
+                internal,
+                Dimensions::Two,
+                [5, 3, 1],
+                0,
+                Some(&client),
+                Transfer::NEUTRAL,
+                Fit::default(),
+            )
+            .unwrap();
             for (x, y) in (0..5).flat_map(|x| (0..3).map(move |y| (x, y))) {
                 let mut group = [[0.0; 4]];
                 client.colors([x, y, 0], Transfer::NEUTRAL, &mut group);
@@ -129,6 +140,7 @@ fn depth_formats_keep_their_bits_and_refuse_colors() {
             0,
             Some(&rgba(&[0; 4], [1, 1, 1])),
             Transfer::NEUTRAL,
+            Fit::default(),
         );
         assert_eq!(wrong.unwrap_err().code, GL_INVALID_OPERATION);
         let mut out = [0; 64];
@@ -359,9 +371,16 @@ fn every_level_has_the_mean_of_the_image() {
 #[test]
 fn levels_of_constants_ramps_and_known_texels() {
     let bytes = [10, 20, 30, 40].repeat(7 * 5);
-    let image =
-        Image::from_client(find(4), Dimensions::Two, [7, 5, 1], 0, Some(&rgba(&bytes, [7, 5, 1])), Transfer::NEUTRAL)
-            .unwrap();
+    let image = Image::from_client(
+        find(4),
+        Dimensions::Two,
+        [7, 5, 1],
+        0,
+        Some(&rgba(&bytes, [7, 5, 1])),
+        Transfer::NEUTRAL,
+        Fit::default(),
+    )
+    .unwrap();
     for level in mipmap::levels(&image, 9, Level::Baseline, &mut []).unwrap() {
         let Texels::Rgba8(texels) = &level.texels else { panic!() };
         assert_eq!(texels[level.origin()], u32::from_le_bytes([10, 20, 30, 40]));
@@ -369,9 +388,16 @@ fn levels_of_constants_ramps_and_known_texels() {
     }
     // The mean of 1, 2, 2, 2 is 1.75, of 1, 1, 2, 2 a tie that goes up.
     let bytes: Vec<u8> = [1, 2, 2, 2].iter().zip([1, 1, 2, 2]).flat_map(|(&r, g)| [r, g, 0, 255]).collect();
-    let image =
-        Image::from_client(find(4), Dimensions::Two, [2, 2, 1], 0, Some(&rgba(&bytes, [2, 2, 1])), Transfer::NEUTRAL)
-            .unwrap();
+    let image = Image::from_client(
+        find(4),
+        Dimensions::Two,
+        [2, 2, 1],
+        0,
+        Some(&rgba(&bytes, [2, 2, 1])),
+        Transfer::NEUTRAL,
+        Fit::default(),
+    )
+    .unwrap();
     let levels = mipmap::levels(&image, 1, Level::Baseline, &mut []).unwrap();
     assert_eq!(levels[0].texel(0, 0, 0).map(|c| (c * 255.0) as u8), [2, 2, 0, 255]);
     // A ramp stays a ramp: texel centres are where they should be (odd size, float texels).
@@ -386,6 +412,7 @@ fn levels_of_constants_ramps_and_known_texels() {
         0,
         Some(&client),
         Transfer::NEUTRAL,
+        Fit::default(),
     )
     .unwrap();
     for level in mipmap::levels(&image, 9, Level::Baseline, &mut []).unwrap() {

@@ -10,15 +10,19 @@
 //! ```
 //!
 //! Levels count from the base level here. Derivatives are those of the primitive's planes at the fragment itself, so every
-//! fragment has its own lambda. What is no number ends as MIN_LOD.
+//! fragment has its own lambda; where w is constant over a batch's primitive they are constants, and one lambda serves all
+//! its fragments. What is no number ends as MIN_LOD.
 
-use super::batch::{Lanes, TexBatch};
+use super::batch::{Detail, Lanes, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::batch::{LANES, Stage, stage};
 use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
 
 /// In the argument of a level stage: the images are those of a cube map, by face and level.
 pub const CUBE: u32 = 1;
+/// In the argument of a stage of lambda or levels, not of cube maps: one lane is worked out for all where their derivatives
+/// are the same.
+pub const ONCE: u32 = 2;
 
 /// Lambda of a squared rho, biased and limited. Where MIN_LOD is above MAX_LOD, MIN_LOD counts.
 #[inline(always)]
@@ -44,8 +48,21 @@ fn lambda_at<const DIMS: usize>(b: &TexBatch, u: &UnitUniforms, i: usize) -> f32
     lambda(max_f32(span::<DIMS>(&b.ddx, u, i), span::<DIMS>(&b.ddy, u, i)), u)
 }
 
+/// Whether lane 0 is worked out for all lanes.
 #[inline(always)]
-fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
+fn once(b: &TexBatch, arg: u32) -> bool {
+    arg & ONCE != 0 && b.detail == Detail::Even
+}
+
+#[inline(always)]
+fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    if once(b, arg) {
+        b.lambda = [lambda_at::<DIMS>(b, u, 0); LANES];
+        return;
+    }
+    if matches!(b.detail, Detail::Level(_)) {
+        return;
+    }
     for i in 0..LANES {
         b.lambda[i] = lambda_at::<DIMS>(b, u, i);
     }
@@ -54,6 +71,17 @@ fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
 /// The two levels of *_MIPMAP_LINEAR by the lambda of each lane, and the weight of the second.
 #[inline(always)]
 fn linear_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    if let Detail::Level(level) = b.detail {
+        return only(b, level);
+    }
+    if once(b, arg) {
+        let l = clamp_f32(b.lambda[0], 0.0, u.last);
+        let d = floor_f32(l);
+        b.work.fraction = [l - d; LANES];
+        b.work.two_levels = l - d != 0.0;
+        b.work.same = [d, min_f32(d + 1.0, u.last)].map(|level| Some(round_to_int(level) as usize));
+        return;
+    }
     let mut weights = 0;
     for i in 0..LANES {
         let l = clamp_f32(b.lambda[i], 0.0, u.last);
@@ -66,6 +94,13 @@ fn linear_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     }
     b.work.two_levels = weights != 0;
     set_same(b, u, arg);
+}
+
+/// All lanes read one level of a texture that is no cube map.
+#[inline(always)]
+fn only(b: &mut TexBatch, level: u32) {
+    b.work.two_levels = false;
+    b.work.same[0] = Some(level as usize);
 }
 
 /// The level that all lanes read, if the squares of rho (in `rho2`) are all well within the range of one level.
@@ -85,6 +120,15 @@ fn one_level(rho2: &Lanes, u: &UnitUniforms) -> Option<u32> {
 /// The level of *_MIPMAP_NEAREST, without lambda where all lanes certainly read the same.
 #[inline(always)]
 fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    if once(b, arg) {
+        b.work.by_lambda = true;
+        b.lambda[0] = lambda_at::<DIMS>(b, u, 0);
+        return nearest_levels(b, u, arg);
+    }
+    if let Detail::Level(level) = b.detail {
+        b.work.by_lambda = false;
+        return only(b, level);
+    }
     let TexBatch { ddx, ddy, lambda: rho2, .. } = b;
     for i in 0..LANES {
         rho2[i] = max_f32(span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
@@ -113,9 +157,12 @@ fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32
 /// The level of *_MIPMAP_NEAREST by lambda.
 #[inline(always)]
 fn nearest_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    let level = |lambda: f32| round_to_int(-floor_f32(-clamp_f32(lambda - 0.5, 0.0, u.last))) as u32;
+    if once(b, arg) {
+        return only(b, level(b.lambda[0]));
+    }
     for i in 0..LANES {
-        let up = -floor_f32(-clamp_f32(b.lambda[i] - 0.5, 0.0, u.last));
-        b.work.level[0][i] = round_to_int(up) as u32;
+        b.work.level[0][i] = level(b.lambda[i]);
     }
     b.work.two_levels = false;
     set_same(b, u, arg);
@@ -132,7 +179,6 @@ pub fn level_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f3
     let level = |lambda: f32| (-floor_f32(-clamp_f32(lambda - 0.5, 0.0, last))) as i32;
     let (least, greatest) = (level(min_lod), level(if max_lod > min_lod { max_lod } else { min_lod }));
     let rho2 = |step: i32, off: f64| crate::num::exp2(2.0 * (f64::from(step) - 0.5 - f64::from(bias) + off)) as f32;
-    const OFF: f64 = 1.0 / 2048.0;
     (0..=last as i32)
         .map(|n| match (n < least, n > greatest) {
             (false, false) => {
@@ -143,6 +189,68 @@ pub fn level_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f3
         })
         .collect()
 }
+
+/// The levels of a filter of mipmaps, for which limits of rho may be enough.
+#[derive(Clone, Debug)]
+pub struct Levels {
+    /// Texels of the base level per unit of the coordinates; 0 for those that address no texels.
+    pub scale: [f64; 3],
+    /// For each level the squares of rho with which it is certainly the only one to be read.
+    ranges: Vec<[f32; 2]>,
+    /// Whether two levels may be blended.
+    pub blends: bool,
+}
+
+impl Levels {
+    /// Those of *_MIPMAP_NEAREST or, if it `blends`, of *_MIPMAP_LINEAR, whose levels stand alone only at both ends.
+    #[must_use]
+    pub fn new(u: &UnitUniforms, dims: usize, blends: bool) -> Self {
+        let ranges = if blends { end_ranges(u.bias, u.min_lod, u.max_lod, u.last) } else { u.level_ranges.clone() };
+        let scale = std::array::from_fn(|c| if c < dims { f64::from(u.scale[c]) } else { 0.0 });
+        Self { scale, ranges, blends }
+    }
+
+    /// The only level that is read with squares of rho in these limits. As a rule it is that of the batch before.
+    #[inline(always)]
+    #[must_use]
+    pub fn only(&self, b: &TexBatch, [least, greatest]: [f64; 2]) -> Option<u32> {
+        // Beyond, f32 might come to infinity.
+        const FINITE: f64 = 1e30;
+        let within = |[from, to]: &[f32; 2]| least >= f64::from(*from) && greatest < f64::from(*to);
+        let before = b.work.same[0].unwrap_or(0);
+        if !(greatest < FINITE) {
+            None
+        } else if self.ranges.get(before).is_some_and(within) {
+            Some(before as u32)
+        } else {
+            self.ranges.iter().position(within).map(|level| level as u32)
+        }
+    }
+}
+
+/// [`level_ranges`] of *_MIPMAP_LINEAR: the base level alone where lambda is certainly below 0, the last one where it is
+/// certainly above it.
+fn end_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f32; 2]> {
+    if min_lod.is_nan() || max_lod.is_nan() {
+        return Vec::new();
+    }
+    let mut ranges = vec![[f32::INFINITY, 0.0]; last as usize + 1];
+    let rho2 = |lambda: f32, off: f64| crate::num::exp2(2.0 * (f64::from(lambda) - f64::from(bias) + off)) as f32;
+    if max_lod >= last
+        && let Some(range) = ranges.last_mut()
+    {
+        *range = [rho2(last, OFF), f32::INFINITY];
+    }
+    if min_lod <= 0.0
+        && let Some(range) = ranges.first_mut()
+    {
+        *range = [0.0, rho2(0.0, -OFF)];
+    }
+    ranges
+}
+
+/// How far from a step of lambda ranges of levels end.
+const OFF: f64 = 1.0 / 2048.0;
 
 /// Whether all live lanes have the same value, and a live lane's value.
 #[inline(always)]
@@ -175,16 +283,16 @@ fn set_same(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
 
 stage! {
     /// Lambda of a 1D texture.
-    pub fn LAMBDA_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        lambdas::<1>(b, u);
+    pub fn LAMBDA_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        lambdas::<1>(b, u, arg);
     }
     /// Lambda of a 2D texture or a cube face.
-    pub fn LAMBDA_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        lambdas::<2>(b, u);
+    pub fn LAMBDA_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        lambdas::<2>(b, u, arg);
     }
     /// Lambda of a 3D texture.
-    pub fn LAMBDA_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        lambdas::<3>(b, u);
+    pub fn LAMBDA_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+        lambdas::<3>(b, u, arg);
     }
     /// A lambda that its limits make the same everywhere: the bits of the argument.
     pub fn LAMBDA_CONSTANT: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, arg: u32) {

@@ -216,6 +216,9 @@ fn read_row(image: &Image, at: usize, to: &mut [Texel]) {
 fn to_image(like: &Image, size: [u32; 3], level: &Level) -> Outcome<Image> {
     let mut image = Image::new(like.format, like.dimensions, size, like.border)?;
     image.internal_format = like.internal_format;
+    image.fit = like.fit;
+    // The mean of 255 and 255 is 255.
+    image.opaque = like.opaque;
     let first = image.first();
     let full = level.size;
     let format = image.format;

@@ -14,8 +14,10 @@ pub mod format;
 pub mod image;
 #[cfg(test)]
 mod image_tests;
+pub mod linear;
 pub mod lod;
 pub mod mipmap;
+mod near;
 pub mod object;
 pub mod pads;
 pub mod readback;

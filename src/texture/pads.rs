@@ -45,9 +45,14 @@ impl PadKey {
     /// The key of three wrap modes (as enumerants) and TEXTURE_BORDER_COLOR. The colour only counts where a wrap reads it.
     #[must_use]
     pub fn new(wraps: [GLenum; 3], border_color: [f32; 4]) -> PadKey {
-        let pads = wraps.map(Pad::of_wrap);
-        let reads_border = pads.iter().any(|p| matches!(p, Pad::Border | Pad::MirrorBorder));
-        PadKey { pads, border: if reads_border { border_color.map(f32::to_bits) } else { [0; 4] } }
+        let key = PadKey { pads: wraps.map(Pad::of_wrap), border: [0; 4] };
+        PadKey { border: if key.reads_border() { border_color.map(f32::to_bits) } else { [0; 4] }, ..key }
+    }
+
+    /// Whether a wrap reads the border.
+    #[must_use]
+    pub fn reads_border(&self) -> bool {
+        self.pads.iter().any(|p| matches!(p, Pad::Border | Pad::MirrorBorder))
     }
 
     /// The pads of s, t and r.
@@ -85,7 +90,9 @@ impl Image {
                 Texels::Depth(t) => layout.fill(t, pads, Some(color[0])),
             }
         } else {
+            let opaque = self.opaque;
             self.show_border();
+            self.opaque = opaque;
             let used = &key.pads[..self.dimensions as usize + 1];
             if used.iter().any(|&pad| pad != Pad::Border) {
                 self.bordered = Some(Box::new(self.texels.try_clone()?));
@@ -101,12 +108,14 @@ impl Image {
         Ok(())
     }
 
-    /// Puts the image's own border back into the ring. Whoever writes texels calls this first: it also forgets the pads.
+    /// Puts the image's own border back into the ring. Whoever writes texels calls this first: it also forgets the pads
+    /// and what was known of alpha.
     pub(super) fn show_border(&mut self) {
         if let Some(bordered) = self.bordered.take() {
             self.texels = *bordered;
         }
         self.pads = None;
+        self.opaque = false;
     }
 
     /// TEXTURE_BORDER_COLOR as a texel: clamped, the components of the base format taken and expanded (table 3.15),

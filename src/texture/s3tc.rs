@@ -6,6 +6,8 @@
 use super::format::{BaseFormat, InternalFormat, S3tc};
 use super::image::{Dimensions, Image, Texels, zeroed};
 use super::s3tc_encode::encode;
+
+pub use super::s3tc_encode::Fit;
 use crate::error::{Outcome, invalid_operation, invalid_value};
 
 impl S3tc {
@@ -169,7 +171,7 @@ impl Image {
         let [first, end] = block_range(offset, size);
         for by in first[1]..end[1].min(self.height.div_ceil(4) as usize) {
             for bx in first[0]..end[0].min(columns) {
-                let block = encode(kind, &self.block_texels(bx, by));
+                let block = encode(kind, &self.block_texels(bx, by), self.fit);
                 let block = &block[..kind.block_bytes()];
                 let at = (by * columns + bx) * kind.block_bytes();
                 if let Some(to) = kept.get_mut(at..at + kind.block_bytes()) {
@@ -288,15 +290,17 @@ mod tests {
             for (c0, c1) in [(0xFFFFu16, 0u16), (0xABCD, 0x1234), (0x8888, 0x8888)] {
                 let palette = color_palette(c0.max(c1), c0.min(c1), false);
                 let texels: [u32; 16] = std::array::from_fn(|i| palette[(i * 7 + i / 4) % 4]);
-                let block = encode(kind, &texels);
-                assert_eq!(kind.decode(&block), texels, "{kind:?} {c0:x} {c1:x}");
+                for fit in [Fit::Extremes, Fit::LeastSquares] {
+                    let block = encode(kind, &texels, fit);
+                    assert_eq!(kind.decode(&block), texels, "{kind:?} {c0:x} {c1:x}");
+                }
             }
         }
         let holes: [u32; 16] = std::array::from_fn(|i| if i % 3 == 0 { 0 } else { 0xFF00_00FF });
-        assert_eq!(S3tc::RgbaDxt1.decode(&encode(S3tc::RgbaDxt1, &holes)), holes);
+        assert_eq!(S3tc::RgbaDxt1.decode(&encode(S3tc::RgbaDxt1, &holes, Fit::LeastSquares)), holes);
         let fade: [u32; 16] = std::array::from_fn(|i| (i as u32 * 17) << 24);
-        assert_eq!(S3tc::RgbaDxt3.decode(&encode(S3tc::RgbaDxt3, &fade)), fade);
-        let near = S3tc::RgbaDxt5.decode(&encode(S3tc::RgbaDxt5, &fade));
+        assert_eq!(S3tc::RgbaDxt3.decode(&encode(S3tc::RgbaDxt3, &fade, Fit::Extremes)), fade);
+        let near = S3tc::RgbaDxt5.decode(&encode(S3tc::RgbaDxt5, &fade, Fit::Extremes));
         assert!(near.iter().zip(fade).all(|(a, b)| (a >> 24).abs_diff(b >> 24) <= 19));
     }
 
@@ -332,7 +336,16 @@ mod tests {
         for name in [GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT] {
             let make = |border| {
                 let size = [6, 6, 1];
-                Image::from_client(find(name), Dimensions::Two, size, border, Some(&client), Transfer::NEUTRAL).unwrap()
+                Image::from_client(
+                    find(name),
+                    Dimensions::Two,
+                    size,
+                    border,
+                    Some(&client),
+                    Transfer::NEUTRAL,
+                    Fit::default(),
+                )
+                .unwrap()
             };
             let mut image = make(0);
             assert_eq!(image.texel(5, 5, 0), [1.0, 0.0, 0.0, 1.0]);

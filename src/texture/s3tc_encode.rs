@@ -1,26 +1,38 @@
 //! Texels into S3TC blocks, for images that a program gives uncompressed under an S3TC name. The specification leaves the
-//! choice of blocks open. Here the two colours of a block are those of its texels that lie farthest apart, and every
-//! texel takes the nearest colour of the palette; alpha takes its extremes. Two different colours are always kept.
+//! choice of blocks open. The two colours of a block are those of its texels that lie farthest apart, and every texel
+//! takes the nearest colour of the palette; alpha takes its extremes. Two different colours are always kept. Under
+//! TEXTURE_COMPRESSION_HINT NICEST the two colours are then moved to where they fit best what the texels have chosen.
 
 use super::format::S3tc;
 use super::s3tc::{alpha_palette, color_palette};
 
+/// How the two colours of a block are chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fit {
+    /// Those of two texels.
+    #[default]
+    Extremes,
+    /// The pair that is nearest to all texels: least squares, as long as the error becomes less.
+    LeastSquares,
+}
+
 /// The block of 16 texels (packed R, G, B, A); DXT1 uses the first 8 bytes.
 #[must_use]
-pub(super) fn encode(kind: S3tc, texels: &[u32; 16]) -> [u8; 16] {
+pub(super) fn encode(kind: S3tc, texels: &[u32; 16], fit: Fit) -> [u8; 16] {
     let mut block = [0; 16];
+    let color = |transparent: bool| encode_color(texels, transparent, fit);
     match kind {
-        S3tc::RgbDxt1 => block[..8].copy_from_slice(&encode_color(texels, false)),
-        S3tc::RgbaDxt1 => block[..8].copy_from_slice(&encode_color(texels, texels.iter().any(|&t| t >> 24 < 128))),
+        S3tc::RgbDxt1 => block[..8].copy_from_slice(&color(false)),
+        S3tc::RgbaDxt1 => block[..8].copy_from_slice(&color(texels.iter().any(|&t| t >> 24 < 128))),
         S3tc::RgbaDxt3 => {
             let alpha = |bits: u64, (i, &t): (usize, &u32)| bits | u64::from(((t >> 24) + 8) / 17) << (4 * i);
             let bits = texels.iter().enumerate().fold(0, alpha);
             block[..8].copy_from_slice(&bits.to_le_bytes());
-            block[8..].copy_from_slice(&encode_color(texels, false));
+            block[8..].copy_from_slice(&color(false));
         }
         S3tc::RgbaDxt5 => {
             block[..8].copy_from_slice(&encode_alpha(texels));
-            block[8..].copy_from_slice(&encode_color(texels, false));
+            block[8..].copy_from_slice(&color(false));
         }
     }
     block
@@ -39,43 +51,175 @@ fn encode_alpha(texels: &[u32; 16]) -> [u8; 8] {
     block
 }
 
+/// R, G or B of a texel.
+fn channel(t: u32, i: usize) -> u8 {
+    (t >> (8 * i)) as u8
+}
+
 /// The square of the distance of two colours.
 fn distance(a: u32, b: u32) -> u32 {
-    (0..3).map(|i| ((a >> (8 * i)) as u8).abs_diff((b >> (8 * i)) as u8)).map(|d| u32::from(d).pow(2)).sum()
+    (0..3).map(|i| u32::from(channel(a, i).abs_diff(channel(b, i))).pow(2)).sum()
 }
 
-/// The nearest colour of 5, 6 and 5 bits.
-fn to_565(t: u32) -> u16 {
-    let channel = |shift: u32, max: u32| ((t >> shift & 0xFF) * max * 2 + 255) / 510;
-    (channel(0, 31) << 11 | channel(8, 63) << 5 | channel(16, 31)) as u16
+/// The largest value of 5, 6 and 5 bits.
+const MAX_565: [u16; 3] = [31, 63, 31];
+
+/// The nearest colour of 5, 6 and 5 bits to one in 0..=255.
+fn to_565(color: [f64; 3]) -> u16 {
+    let part = |i: usize| (color[i].clamp(0.0, 255.0) * f64::from(MAX_565[i]) / 255.0 + 0.5) as u16;
+    part(0) << 11 | part(1) << 5 | part(2)
 }
 
-fn encode_color(texels: &[u32; 16], transparent: bool) -> [u8; 8] {
-    let visible = |t: u32| !transparent || t >> 24 >= 128;
-    let first = texels.iter().copied().find(|&t| visible(t)).unwrap_or(0);
-    let mut ends = (first, first);
-    for (i, &a) in texels.iter().enumerate().filter(|t| visible(*t.1)) {
-        for &b in texels[i + 1..].iter().filter(|&&t| visible(t)) {
-            if distance(a, b) > distance(ends.0, ends.1) {
-                ends = (a, b);
+/// A block of colours: its two colours, and what each texel takes of them.
+#[derive(Clone, Copy)]
+struct Colors {
+    ends: [u16; 2],
+    codes: [u8; 16],
+    /// The sum of the squared distances.
+    error: u32,
+}
+
+/// Texels of which some may be transparent in the way of DXT1: those with an alpha below 128 take code 3.
+struct Block<'a> {
+    texels: &'a [u32; 16],
+    transparent: bool,
+}
+
+impl Block<'_> {
+    fn visible(&self, t: u32) -> bool {
+        !self.transparent || t >> 24 >= 128
+    }
+
+    /// The two texels that lie farthest apart.
+    fn extremes(&self) -> [u32; 2] {
+        let mut visible = self.texels.iter().copied().enumerate().filter(|&(_, t)| self.visible(t)).peekable();
+        let first = visible.peek().map_or(0, |&(_, t)| t);
+        let mut ends = [first; 2];
+        for (i, a) in visible {
+            for &b in self.texels[i + 1..].iter().filter(|&&t| self.visible(t)) {
+                if distance(a, b) > distance(ends[0], ends[1]) {
+                    ends = [a, b];
+                }
             }
         }
+        ends
     }
-    let (mut c0, mut c1) = (to_565(ends.0), to_565(ends.1));
-    // The order of the two colours says whether there is a transparent one.
-    if (c0 < c1) != transparent {
-        std::mem::swap(&mut c0, &mut c1);
+
+    /// Every texel takes the nearest colour.
+    fn choose(&self, [mut c0, mut c1]: [u16; 2]) -> Colors {
+        // The order of the two colours says whether there is a transparent one.
+        if (c0 < c1) != self.transparent {
+            std::mem::swap(&mut c0, &mut c1);
+        }
+        // Equal colours read as the transparent kind in DXT1; its codes 0 to 2 are all that colour then.
+        let three = self.transparent || c0 == c1;
+        let palette = color_palette(c0, c1, three);
+        let palette = &palette[..if three { 3 } else { 4 }];
+        let mut colors = Colors { ends: [c0, c1], codes: [3; 16], error: 0 };
+        for (code, &t) in colors.codes.iter_mut().zip(self.texels).filter(|(_, t)| self.visible(**t)) {
+            let nearest = (0u8..).zip(palette).map(|(i, &p)| (distance(p, t), i)).min().unwrap_or((0, 0));
+            *code = nearest.1;
+            colors.error += nearest.0;
+        }
+        colors
     }
-    // Equal colours read as the transparent kind in DXT1; its codes 0 to 2 are all that colour then.
-    let palette = color_palette(c0, c1, transparent || c0 == c1);
-    let colors = if transparent || c0 == c1 { 3 } else { 4 };
-    let code = |t: u32| {
-        if visible(t) { (0..colors).min_by_key(|&i| distance(palette[i], t)).unwrap_or(0) as u32 } else { 3 }
-    };
-    let codes = texels.iter().enumerate().fold(0, |bits, (i, &t)| bits | code(t) << (2 * i));
+
+    /// The pair of colours that fits best what the texels have chosen, if they determine one: with s the share of the
+    /// first colour in a texel's choice, the a and b that make the sum of (s a + (1 - s) b - texel)^2 least.
+    fn fit(&self, colors: &Colors) -> Option<[u16; 2]> {
+        let shares = if self.transparent { [1.0, 0.0, 0.5, 0.0] } else { [1.0, 0.0, 2.0 / 3.0, 1.0 / 3.0] };
+        let (mut aa, mut ab, mut bb, mut at, mut bt) = (0.0, 0.0, 0.0, [0.0; 3], [0.0; 3]);
+        for (&code, &t) in colors.codes.iter().zip(self.texels).filter(|(_, t)| self.visible(**t)) {
+            let s = shares[usize::from(code & 3)];
+            let r = 1.0 - s;
+            (aa, ab, bb) = (aa + s * s, ab + s * r, bb + r * r);
+            for i in 0..3 {
+                at[i] += s * f64::from(channel(t, i));
+                bt[i] += r * f64::from(channel(t, i));
+            }
+        }
+        let determinant: f64 = aa * bb - ab * ab;
+        if determinant < 1e-6 {
+            return None;
+        }
+        let a = std::array::from_fn(|i| (bb * at[i] - ab * bt[i]) / determinant);
+        let b = std::array::from_fn(|i| (aa * bt[i] - ab * at[i]) / determinant);
+        Some([to_565(a), to_565(b)])
+    }
+}
+
+fn encode_color(texels: &[u32; 16], transparent: bool, fit: Fit) -> [u8; 8] {
+    let given = Block { texels, transparent };
+    let of_texel = |t: u32| to_565(std::array::from_fn(|i| f64::from(channel(t, i))));
+    let mut colors = given.choose(given.extremes().map(of_texel));
+    // The error is a whole number that becomes less each time, so this ends.
+    while fit == Fit::LeastSquares
+        && let Some(better) = given.fit(&colors).map(|ends| given.choose(ends))
+        && better.error < colors.error
+    {
+        colors = better;
+    }
+    let codes = colors.codes.iter().enumerate().fold(0, |bits, (i, &code)| bits | u32::from(code) << (2 * i));
     let mut block = [0; 8];
-    block[..2].copy_from_slice(&c0.to_le_bytes());
-    block[2..4].copy_from_slice(&c1.to_le_bytes());
+    block[..2].copy_from_slice(&colors.ends[0].to_le_bytes());
+    block[2..4].copy_from_slice(&colors.ends[1].to_le_bytes());
     block[4..].copy_from_slice(&codes.to_le_bytes());
     block
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::s3tc::split_565;
+    use super::*;
+
+    /// The squared error of a block's colours.
+    fn error(texels: &[u32; 16], kind: S3tc, fit: Fit) -> u32 {
+        let shown = kind.decode(&encode(kind, texels, fit));
+        shown.iter().zip(texels).map(|(&a, &b)| distance(a, b)).sum()
+    }
+
+    #[test]
+    fn the_fit_is_never_worse_and_mostly_better() {
+        let mut random = 7u32;
+        let mut next = || {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            random >> 8
+        };
+        let (mut sums, mut better) = ([0u64; 2], 0);
+        for _ in 0..2000 {
+            let (a, b) = (next(), next());
+            // Noise around the line between two colours, some of it transparent.
+            let texels: [u32; 16] = std::array::from_fn(|_| {
+                let (s, noise) = (next() % 256, [next(), next(), next()]);
+                let of = |i: usize| {
+                    let mean = (u32::from(channel(a, i)) * s + u32::from(channel(b, i)) * (255 - s)) / 255;
+                    (mean + noise[i] % 24).min(255) << (8 * i)
+                };
+                of(0) | of(1) | of(2) | if next() % 8 == 0 { 0 } else { 0xFF00_0000 }
+            });
+            for kind in [S3tc::RgbDxt1, S3tc::RgbaDxt5] {
+                let errors = [Fit::Extremes, Fit::LeastSquares].map(|fit| error(&texels, kind, fit));
+                assert!(errors[1] <= errors[0], "{texels:x?}");
+                better += u32::from(errors[1] < errors[0]);
+                sums = [0, 1].map(|i| sums[i] + u64::from(errors[i]));
+            }
+            let shown = S3tc::RgbaDxt1.decode(&encode(S3tc::RgbaDxt1, &texels, Fit::LeastSquares));
+            assert!(shown.iter().zip(texels).all(|(a, b)| a >> 24 == b >> 24), "holes stay where they are");
+        }
+        assert!(better > 3000, "{better} of 4000");
+        assert!(2 * sums[1] < sums[0] + sums[0] / 2, "{sums:?}");
+    }
+
+    #[test]
+    fn a_ramp_gets_its_ends_back() {
+        // Sixteen greys: two texels of the ends and noise free steps; least squares finds colours beyond the second.
+        let texels: [u32; 16] = std::array::from_fn(|i| 0xFF00_0000 | (0x0001_0101 * (i as u32 * 17)));
+        let [low, high] = [Fit::LeastSquares, Fit::Extremes].map(|fit| error(&texels, S3tc::RgbDxt1, fit));
+        assert!(low < high, "{low} {high}");
+        let [a, b] = [0, 2].map(|at| {
+            let block = encode(S3tc::RgbDxt1, &texels, Fit::LeastSquares);
+            split_565(u16::from_le_bytes([block[at], block[at + 1]]))
+        });
+        assert!(a[0] > b[0], "the first colour is the brighter one: {a:?} {b:?}");
+    }
 }

@@ -5,10 +5,11 @@
 use super::batch::TexBatch;
 use super::format::{BaseFormat, Storage};
 use super::image::Image;
+use super::lod::Levels;
 use super::object::TextureObject;
 use super::pads::PadKey;
 use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
-use super::{address, anisotropy, cube, filter, filter_float, lod, shadow};
+use super::{address, anisotropy, cube, filter, filter_float, linear, lod, shadow};
 use crate::batch::{Level, Plan, Stage, Step};
 use crate::enums::*;
 use crate::error::Outcome;
@@ -41,8 +42,16 @@ pub struct Sampler {
     pub needs: Needs,
     /// The base format as environments see it: that of the texture, or for a depth texture its DEPTH_TEXTURE_MODE.
     pub base: BaseFormat,
+    /// Whether lambda is worked out once a batch where derivatives are the same in all lanes.
+    pub once: bool,
+    /// The levels of a filter that may get one level instead of derivatives ([`Detail::Level`](super::batch::Detail)).
+    pub levels: Option<Levels>,
     /// The steps that are run once for each tap of an anisotropic filter: start and end in the plan.
     pub taps: Option<(usize, usize)>,
+    /// Whether alpha is not filtered although the format has it: it is 255 in every texel.
+    pub opaque: bool,
+    /// Whether the filter wraps coordinates itself, as far as those of a primitive ask for it.
+    pub wraps: bool,
     /// Whether the last stage reads the nearest texel of 8-bit images, with how many coordinates, and [`Builder::near`].
     nearest: Option<(usize, Option<u32>)>,
 }
@@ -157,6 +166,8 @@ impl Sampler {
         let derivatives = matches!(lod, Lod::Varies { .. });
         let base = if depth { shadow::base_format(p.depth_mode) } else { format };
 
+        let has_alpha = matches!(base, BaseFormat::Rgba | BaseFormat::LuminanceAlpha);
+        let opaque = has_alpha && !general && uniforms.images.iter().all(|image| image.image.is_opaque());
         let mut builder = Builder {
             plan: Plan::new(level),
             wraps: p.wrap,
@@ -164,9 +175,16 @@ impl Sampler {
             cube,
             compare,
             base,
-            format: if general { BaseFormat::Rgba } else { base },
+            format: match base {
+                _ if general => BaseFormat::Rgba,
+                BaseFormat::Rgba if opaque => BaseFormat::Rgb,
+                BaseFormat::LuminanceAlpha if opaque => BaseFormat::Luminance,
+                _ => base,
+            },
             storage: image.map(|image| image.format.storage),
             unnormalised: uniforms.unnormalised,
+            anisotropic: is_anisotropic(p, &uniforms),
+            wraps_itself: false,
             general,
         };
         if cube {
@@ -187,12 +205,16 @@ impl Sampler {
                 builder.levels(p.min_filter, linear, false);
             }
             Lod::Varies { mixed: false, linear } if nearest_level => {
-                builder.push(lod::nearest_level_stage(dims), if cube { lod::CUBE } else { 0 });
+                builder.push(lod::nearest_level_stage(dims), builder.detail());
                 builder.pass(linear, false, 0);
             }
             Lod::Varies { mixed, linear } => {
                 let anisotropic = is_anisotropic(p, &uniforms);
-                builder.push(if anisotropic { anisotropy::footprint_stage(dims) } else { lod::lambda_stage(dims) }, 0);
+                let detail = builder.detail();
+                match anisotropic {
+                    true => builder.push(anisotropy::footprint_stage(dims), 0),
+                    false => builder.push(lod::lambda_stage(dims), detail),
+                }
                 if mixed {
                     builder.push(&lod::MAGNIFY, 0);
                 }
@@ -230,7 +252,11 @@ impl Sampler {
             Lod::Varies { mixed, linear } => !linear && !mixed && !blends_levels(p.min_filter),
         };
         let nearest = (one_level && builder.storage == Some(Storage::Rgba8)).then(|| (dims, builder.near()));
-        Self { plan: builder.plan, uniforms, needs, base, taps, nearest }
+        let once = derivatives && builder.detail() & lod::ONCE != 0;
+        let certain = once && is_mipmap_filter(p.min_filter) && !matches!(lod, Lod::Varies { mixed: true, .. });
+        let levels = certain.then(|| Levels::new(&uniforms, dims, blends_levels(p.min_filter)));
+        let wraps = builder.wraps_itself;
+        Self { plan: builder.plan, uniforms, needs, base, once, levels, taps, opaque, wraps, nearest }
     }
 
     /// Makes the sampler write packed texels (`packed` of the batch) and nothing else, if each of its texels is one 8-bit
@@ -285,6 +311,10 @@ struct Builder {
     storage: Option<Storage>,
     /// Coordinates count texels.
     unnormalised: bool,
+    /// Taps are taken along the footprint, which writes lambda lane by lane.
+    anisotropic: bool,
+    /// Whether a linear filter wraps its coordinates itself.
+    wraps_itself: bool,
     /// Nothing is left out.
     general: bool,
 }
@@ -301,9 +331,14 @@ impl Builder {
         if let Some(repeats) = self.near().filter(|_| !linear) {
             return self.push(&filter::WRAP_NEAREST_2D, flags | repeats);
         }
+        let packed = self.storage == Some(Storage::Rgba8);
+        if let Some(repeats) = self.near_linear().filter(|_| linear && !mixed && packed) {
+            self.wraps_itself = true;
+            return self.push(linear::stage(self.dims, self.format), flags | linear::WRAPS | repeats);
+        }
         for c in 0..self.dims {
             let (two, one) = address::stages(self.wraps[c]);
-            let arg = c as u32 | flags & address::SECOND;
+            let arg = c as u32 | flags & address::SECOND | if self.general { address::PLAIN } else { 0 };
             self.push(if linear { two } else { one }, arg);
             if mixed {
                 self.push(one, arg | address::MERGE);
@@ -312,7 +347,7 @@ impl Builder {
         let stage = match self.storage {
             Some(Storage::Float) => filter_float::stage(self.dims, linear),
             Some(Storage::Depth) => shadow::stage(self.dims, linear, self.compare),
-            _ if linear => filter::linear(self.dims, self.format),
+            _ if linear => linear::stage(self.dims, self.format),
             _ => filter::nearest(self.dims),
         };
         self.push(stage, flags | shadow::mode(self.base));
@@ -326,6 +361,14 @@ impl Builder {
         known.then_some((u32::from(s) | u32::from(t) << 1) * filter::REPEATS)
     }
 
+    /// Whether a linear filter wraps its coordinates itself; then which of them repeat, as [`filter::REPEATS`] has it.
+    fn near_linear(&self) -> Option<u32> {
+        let wraps = self.wraps.iter().take(self.dims).enumerate();
+        let known = !self.unnormalised && !self.general;
+        let repeats = |(c, wrap): (usize, &GLenum)| Some(u32::from(address::near(*wrap)?) << c);
+        wraps.map(repeats).try_fold(0, |all, one| Some(all | one?)).filter(|_| known).map(|all| all * filter::REPEATS)
+    }
+
     /// The factor from texels to 0..1, as bits.
     fn unit_factor(&self) -> u32 {
         match self.storage {
@@ -336,7 +379,16 @@ impl Builder {
 
     fn level(&mut self, filter: GLenum) {
         let stage = if blends_levels(filter) { &lod::LEVEL_LINEAR } else { &lod::LEVEL_NEAREST };
-        self.push(stage, if self.cube { lod::CUBE } else { 0 });
+        self.push(stage, self.detail());
+    }
+
+    /// The argument of the stages of lambda and levels.
+    fn detail(&self) -> u32 {
+        match (self.cube, self.general || self.anisotropic) {
+            (true, _) => lod::CUBE,
+            (false, true) => 0,
+            (false, false) => lod::ONCE,
+        }
     }
 
     /// Chooses the levels by lambda and filters them.

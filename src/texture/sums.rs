@@ -153,6 +153,8 @@ pub(super) fn levels(
     }
     for image in made {
         image.internal_format = base.internal_format;
+        image.fit = base.fit;
+        image.opaque = base.opaque;
         image.recompress([0; 3], [image.width, image.height, 1].map(u32::cast_signed))?;
     }
     Ok(Some(means))

@@ -4,6 +4,7 @@
 
 use super::format::{BaseFormat, InternalFormat, Storage};
 use super::image::{Dimensions, Image, Texels};
+use super::s3tc::Fit;
 use crate::error::{Outcome, invalid_operation, invalid_value};
 use crate::pixels::element::{from_rgba8, to_rgba8};
 use crate::pixels::{ClientImage, Kind, PixelFormat, Transfer};
@@ -26,7 +27,8 @@ pub fn check_formats(pixel: PixelFormat, internal: &InternalFormat) -> Outcome {
 }
 
 impl Image {
-    /// An image of `size` (as TexImage counts it, border included) from client pixels, or of zeros without them.
+    /// An image of `size` (as TexImage counts it, border included) from client pixels, or of zeros without them. `fit` is
+    /// how the blocks of a compressed format are chosen.
     pub fn from_client(
         format: &'static InternalFormat,
         dimensions: Dimensions,
@@ -34,9 +36,11 @@ impl Image {
         border: u32,
         pixels: Option<&ClientImage<'_>>,
         transfer: Transfer<'_>,
+        fit: Fit,
     ) -> Outcome<Image> {
         let interior = size.map(|n| n.saturating_sub(2 * border));
         let mut image = Image::new(format, dimensions, interior, border)?;
+        image.fit = fit;
         match pixels {
             Some(pixels) => image.upload(image.first(), pixels, transfer)?,
             None => image.recompress([0; 3], size.map(u32::cast_signed))?,
@@ -81,6 +85,8 @@ impl Image {
         if width == 0 || height == 0 || depth == 0 {
             return Ok(());
         }
+        let whole = size == self.full_size().map(u32::cast_signed);
+        let mut opaque = (whole || self.opaque) && self.format.storage == Storage::Rgba8;
         self.show_border();
         let (base, format) = (self.base, self.format);
         for z in 0..depth {
@@ -91,6 +97,7 @@ impl Image {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
                         pixels.colors_rgba8([0, y, z], transfer, row);
                         expand_rgba8(base, row);
+                        opaque = opaque && is_opaque(row);
                     }
                     Texels::Float(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
@@ -105,7 +112,9 @@ impl Image {
                 }
             }
         }
-        self.recompress(offset, size)
+        self.recompress(offset, size)?;
+        self.opaque = opaque && self.compressed.is_none();
+        Ok(())
     }
 
     /// Writes a row of packed colours, as the framebuffer holds them, through pixel transfer. What lies outside the image
@@ -182,6 +191,11 @@ impl Image {
         let cut = usize::try_from(start - i64::from(x)).ok()?;
         Some((self.index(i32::try_from(start).ok()?, y, z), cut, len))
     }
+}
+
+/// Whether alpha is 255 in a row. While the row is in the cache this costs little.
+fn is_opaque(row: &[u32]) -> bool {
+    row.iter().fold(u32::MAX, |all, texel| all & texel) >= 0xFF00_0000
 }
 
 /// Expands a row in place; nothing is left to do for RGBA.

@@ -15,7 +15,7 @@ use super::counts::Counts;
 use super::plan::VertexPlan;
 use super::pool::Pool;
 use crate::enums::*;
-use crate::raster::vertex::outcode;
+use crate::raster::vertex::{outcode, twice_area};
 
 /// Joins vertices into primitives.
 #[derive(Clone, Debug, Default)]
@@ -104,13 +104,6 @@ pub struct Output<'a> {
     counts: &'a mut Counts,
 }
 
-/// Twice the area of a triangle in the window, in 1/65536 pixel; exact for positions within the guard band.
-#[inline]
-fn area([a, b, c]: [[i32; 2]; 3]) -> i64 {
-    let side = |p: i32, q: i32| i64::from(p) - i64::from(q);
-    side(b[0], a[0]) * side(c[1], a[1]) - side(c[0], a[0]) * side(b[1], a[1])
-}
-
 /// Whether all vertices are outside of one plane, or one is nowhere.
 #[inline]
 fn nowhere(all: u32, any: u32) -> bool {
@@ -124,25 +117,38 @@ impl<'a> Output<'a> {
         Self { clip_mask: plan.clip_mask, edges, culls, seen, counts }
     }
 
-    #[inline]
+    #[inline(always)]
     fn triangle(&mut self, pool: &Pool, ids: [u32; 3], provoking: u8, edges: [bool; 3]) {
-        let Some(places) = pool.places(ids) else { return };
-        let [a, b, c] = places.map(|place| place.outcode);
-        let any = a | b | c;
-        if nowhere(a & b & c, any) {
+        let Some([a, b, c]) = pool.places(ids) else { return };
+        let any = a.outcode | b.outcode | c.outcode;
+        if nowhere(a.outcode & b.outcode & c.outcode, any) {
             self.counts.outside += 1;
             return;
         }
         let clip = any & self.clip_mask != 0;
         let [positive, other] = self.culls;
         if !clip && (positive | other) {
-            let counter_clockwise = area(places.map(|place| place.snapped)) > 0;
+            let counter_clockwise = twice_area(&[a.snapped, b.snapped, c.snapped]) > 0;
             if if counter_clockwise { positive } else { other } {
                 self.counts.culled += 1;
                 return;
             }
         }
         self.seen.push(Primitive { ids, kind: Kind::Triangle { provoking, edges }, clip });
+    }
+
+    /// Triangles that have no vertex in common. Most draws are made of them, so they have a loop to themselves.
+    fn triangles(&mut self, pool: &Pool, triangles: &[[u32; 3]]) {
+        if self.edges {
+            for ids in triangles {
+                let edges = ids.map(|id| self.edge(pool, id));
+                self.triangle(pool, *ids, 2, edges);
+            }
+        } else {
+            for ids in triangles {
+                self.triangle(pool, *ids, 2, [true; 3]);
+            }
+        }
     }
 
     #[inline]
@@ -191,9 +197,10 @@ impl Assembler {
         &mut self.hold[..self.held]
     }
 
-    /// Collects groups of `N` vertices.
+    /// Groups of `N` vertices: the one that vertices of earlier calls begin, if it is complete, and those after it.
     #[inline]
-    fn groups<const N: usize>(&mut self, mut ids: &[u32], mut each: impl FnMut([u32; N])) {
+    fn groups<'a, const N: usize>(&mut self, mut ids: &'a [u32]) -> (Option<[u32; N]>, &'a [[u32; N]]) {
+        let mut begun = None;
         if self.held > 0 {
             let mut group = [0; N];
             let held = self.held.min(N - 1);
@@ -204,17 +211,15 @@ impl Assembler {
             if held + missing < N {
                 self.hold[..held + missing].copy_from_slice(&group[..held + missing]);
                 self.held = held + missing;
-                return;
+                return (None, &[]);
             }
-            each(group);
+            begun = Some(group);
             ids = rest;
         }
         let (groups, rest) = ids.as_chunks::<N>();
-        for group in groups {
-            each(*group);
-        }
         self.hold[..rest.len()].copy_from_slice(rest);
         self.held = rest.len();
+        (begun, groups)
     }
 
     /// Takes the next vertices of the primitive.
@@ -222,18 +227,22 @@ impl Assembler {
         let each = ids.iter().copied();
         match self.mode {
             GL_POINTS => each.for_each(|id| out.point(pool, id)),
-            GL_LINES => self.groups(ids, |ids| out.line(pool, ids, 1, true)),
-            GL_TRIANGLES if !out.edges => {
-                self.groups(ids, |ids| out.triangle(pool, ids, 2, [true; 3]));
+            GL_LINES => {
+                let (begun, lines) = self.groups(ids);
+                begun.iter().chain(lines).for_each(|ids| out.line(pool, *ids, 1, true));
             }
-            GL_TRIANGLES => self.groups(ids, |ids: [u32; 3]| {
-                let edges = ids.map(|id| out.edge(pool, id));
-                out.triangle(pool, ids, 2, edges);
-            }),
-            GL_QUADS => self.groups(ids, |ids: [u32; 4]| {
-                let edges = ids.map(|id| out.edge(pool, id));
-                out.quad(pool, ids, edges);
-            }),
+            GL_TRIANGLES => {
+                let (begun, triangles) = self.groups(ids);
+                out.triangles(pool, begun.as_slice());
+                out.triangles(pool, triangles);
+            }
+            GL_QUADS => {
+                let (begun, quads) = self.groups(ids);
+                for ids in begun.iter().chain(quads) {
+                    let edges = ids.map(|id| out.edge(pool, id));
+                    out.quad(pool, *ids, edges);
+                }
+            }
             GL_LINE_STRIP => each.for_each(|id| {
                 if self.held == 1 {
                     out.line(pool, [self.hold[0], id], 1, self.count == 0);

@@ -48,12 +48,6 @@ pub struct FaceSums {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct VertexBatch {
-    /// How many lanes are in use.
-    pub n: usize,
-    /// `n` rounded up to a multiple of 16: how many lanes stages compute.
-    pub span: usize,
-    /// Whether w is 1 in every position.
-    pub w_is_one: bool,
     /// Object coordinates x, y, z, w.
     pub position: [Lanes; 4],
     /// Normal.
@@ -105,6 +99,12 @@ pub struct VertexBatch {
     pub coord: [Wide; 4],
     /// What is handed on, slot by slot, then four arrays for a colour that nobody wants.
     pub out: [Lanes; MAX_SLOTS + 4],
+    /// How many lanes are in use.
+    pub n: usize,
+    /// `n` rounded up to a multiple of 16: how many lanes stages compute.
+    pub span: usize,
+    /// Whether w is 1 in every position.
+    pub w_is_one: bool,
 }
 
 impl VertexBatch {
@@ -154,7 +154,7 @@ impl VertexBatch {
     }
 
     /// Appends a vertex with the current attributes that are needed. A full batch takes nothing.
-    #[inline]
+    #[inline(always)]
     pub fn push(&mut self, position: [f32; 4], current: &Current, needs: u32) {
         let i = self.n;
         if i >= LANES {
@@ -175,7 +175,11 @@ impl VertexBatch {
                 lanes[i] = value;
             }
         }
-        if needs & needs::TEX_ALL != 0 {
+        if needs & needs::TEX_ALL == needs::TEX {
+            for (lanes, value) in self.tex[0].iter_mut().zip(current.tex_coord[0]) {
+                lanes[i] = value;
+            }
+        } else if needs & needs::TEX_ALL != 0 {
             let mut units = needs & needs::TEX_ALL;
             while units != 0 {
                 let unit = (units.trailing_zeros() - needs::TEX.trailing_zeros()) as usize % MAX_TEXTURE_UNITS;

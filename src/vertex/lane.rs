@@ -16,8 +16,11 @@ use std::ops::Range;
 const FEED: usize = 256;
 /// Parts have a multiple of so many vertices: whole triangles, quadrilaterals and batches.
 const UNIT: usize = 192;
-/// Vertices of a part at most.
-const MOST: usize = 64 * UNIT;
+/// Vertices of a part at most: a part and its primitives stay in a second-level cache.
+const MOST: usize = 16 * UNIT;
+/// The same of an indexed draw, whose parts have vertices in common that each of them computes: of a mesh those of a row
+/// or two.
+const MOST_INDICES: usize = 64 * UNIT;
 /// Vertices of a part at least, where there are not very many threads.
 const LEAST: usize = 8 * UNIT;
 /// Vertices from which on a draw is worth cutting: starting a thread takes about as long as drawing a thousand triangles
@@ -189,7 +192,8 @@ impl<'a, S: Source> Parts<'a, S> {
             return Err((draw, order));
         }
         // Many threads take smaller parts, so that what is set up at a time stays within some ten megabytes.
-        let most = (6 * MOST / threads).clamp(UNIT, MOST);
+        let most = if matches!(order, Order::List(_)) { MOST_INDICES } else { MOST };
+        let most = (6 * most / threads).clamp(UNIT, most);
         let each = (order.len() / (4 * threads)).max(LEAST).min(most).next_multiple_of(UNIT);
         Ok(Self { draw, order, each, shared })
     }

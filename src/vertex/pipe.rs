@@ -41,7 +41,7 @@ pub struct Pipe {
 }
 
 /// How many vertices are collected at most; a multiple of 3, 4 and 64.
-const MOST_COLLECTED: usize = 128 * 192;
+const MOST_COLLECTED: usize = 256 * 192;
 /// How many pieces of primitives may wait, so that empty Begin/End pairs do not pile up.
 const MOST_SPANS: usize = 64;
 
@@ -91,6 +91,17 @@ impl Pipe {
     pub fn begin(&mut self, mode: GLenum) {
         self.inside = true;
         self.spans.push(Span { mode, begins: true, ends: false, until: self.lane.chunk.batch.n as u32 });
+    }
+
+    /// Appends a vertex if the batch is not full with it; false says that nothing has been done.
+    #[inline(always)]
+    pub fn vertex_at_once(&mut self, position: [f32; 4], current: &Current) -> bool {
+        let batch = &mut self.lane.chunk.batch;
+        let at_once = batch.n + 1 < self.cut;
+        if at_once {
+            batch.push(position, current, self.plan.needs);
+        }
+        at_once
     }
 
     /// Appends a vertex; true says that the batch is full and wants to [run](Self::run).

@@ -53,11 +53,11 @@ impl Pool {
     }
 
     /// What decides over a triangle with these corners.
-    #[inline]
+    #[inline(always)]
     #[must_use]
-    pub fn places(&self, ids: [u32; 3]) -> Option<[Place; 3]> {
-        let [a, b, c] = ids.map(|id| self.places.get(id as usize));
-        Some([*a?, *b?, *c?])
+    pub fn places(&self, [a, b, c]: [u32; 3]) -> Option<[&Place; 3]> {
+        let place = |id: u32| self.places.get(id as usize);
+        Some([place(a)?, place(b)?, place(c)?])
     }
 
     /// A vertex.
@@ -100,11 +100,15 @@ impl Pool {
     /// Gives the vertex of each lane of a batch its values.
     pub fn fill(&mut self, b: &VertexBatch, ids: impl Iterator<Item = u32>) {
         let stride = self.vertices.stride.min(b.out.len());
-        let lanes = &b.out[..stride];
-        for (i, id) in ids.enumerate().take(LANES) {
+        let (quads, rest) = b.out[..stride].as_chunks::<4>();
+        for (i, id) in (0..LANES).zip(ids) {
             let at = id as usize * stride;
             let Some(vertex) = self.vertices.slots.get_mut(at..at + stride) else { return };
-            for (slot, lanes) in vertex.iter_mut().zip(lanes) {
+            let (four, one) = vertex.as_chunks_mut::<4>();
+            for (slots, lanes) in four.iter_mut().zip(quads) {
+                *slots = [lanes[0][i], lanes[1][i], lanes[2][i], lanes[3][i]];
+            }
+            for (slot, lanes) in one.iter_mut().zip(rest) {
                 *slot = lanes[i];
             }
         }

@@ -86,6 +86,17 @@ fn quad_w(gl: &mut Context, w: f32) {
     });
 }
 
+/// A triangle over more than the picture, with corner 1 at another w.
+fn triangle_w(gl: &mut Context, w: f32) {
+    gl.begin(GL_TRIANGLES);
+    for (i, [x, y]) in [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0f32]].into_iter().enumerate() {
+        let w = if i == 1 { w } else { 3.0 };
+        gl.tex_coord2f(3.1 * x, 2.3 * y + 0.4 * x);
+        gl.vertex4f(x * w, y * w, 0.0, w);
+    }
+    gl.end();
+}
+
 /// The quadrilateral with corner 1 at another z.
 fn quad_z(gl: &mut Context, z: f32) {
     quad_with(gl, |gl, i, [x, y]| gl.vertex3f(x, y, if i == 1 { z } else { 0.0 }));
@@ -97,6 +108,16 @@ fn quad_q(gl: &mut Context, q: f32) {
         gl.tex_coord4f(x, y, 0.0, if i == 1 { q } else { 1.0 });
         gl.vertex2f(0.95 * x, 0.95 * y);
     });
+}
+
+/// A triangle whose coordinates go from 0 to a number.
+fn half(gl: &mut Context, greatest: f32) {
+    gl.begin(GL_TRIANGLES);
+    for [s, t] in [[0.0, 0.0], [greatest, 0.0], [0.0, greatest]] {
+        gl.tex_coord2f(s, t);
+        gl.vertex2f(1.9 * s - 0.95, 1.9 * t - 0.95);
+    }
+    gl.end();
 }
 
 /// The next number after 3 and after 1.
@@ -121,6 +142,15 @@ fn textured(gl: &mut Context) {
 fn filters(gl: &mut Context, min: GLenum, mag: GLenum) {
     gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min);
     gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, mag);
+}
+
+/// A texture whose alpha is 1 but for that of the last texel of a part that is written later.
+fn last_alpha(gl: &mut Context, alpha: u8) {
+    let texels: Vec<u8> = (0..4 * 32 * 32).map(|i| if i % 4 == 3 { 255 } else { (i * 37 % 251) as u8 }).collect();
+    gl.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA8, 32, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
+    let part = [9, 8, 7, 255, 6, 5, 4, alpha];
+    gl.tex_sub_image_2d(GL_TEXTURE_2D, 0, 7, 9, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, &part);
+    gl.enable(GL_TEXTURE_2D);
 }
 
 fn parameter(gl: &mut Context, name: GLenum, value: f32) {
@@ -224,6 +254,27 @@ pub const ROWS: &[Row] = &[
         left_out: |gl| (parameter(gl, GL_TEXTURE_MAX_LOD, 0.0), quad(gl)).1,
         near_miss: |gl| (parameter(gl, GL_TEXTURE_MAX_LOD, 1e-7), quad(gl)).1,
         count: |w| w.counters.logarithms,
+    },
+    Row {
+        name: "lambda of each fragment but one in a batch, where w is constant",
+        state: textured,
+        left_out: |gl| triangle_w(gl, 3.0),
+        near_miss: |gl| triangle_w(gl, THREE_AND_A_BIT),
+        count: |w| w.counters.logarithms - w.counters.stage("LAMBDA_2D").batches,
+    },
+    Row {
+        name: "alpha of an RGBA texture, where it is 1 in every texel",
+        state: |gl| filters(gl, GL_LINEAR, GL_LINEAR),
+        left_out: |gl| (last_alpha(gl, 255), quad(gl)).1,
+        near_miss: |gl| (last_alpha(gl, 254), quad(gl)).1,
+        count: |w| w.stage("BILINEAR_2D_RGBA"),
+    },
+    Row {
+        name: "the wrap of coordinates, where those of a primitive are within 0 to 1",
+        state: |gl| (textured(gl), filters(gl, GL_LINEAR, GL_LINEAR)).1,
+        left_out: |gl| half(gl, 1.0),
+        near_miss: |gl| half(gl, ONE_AND_A_BIT),
+        count: |w| w.counters.wraps,
     },
     Row {
         name: "the texture matrix, where it is the identity",

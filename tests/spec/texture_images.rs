@@ -309,3 +309,50 @@ fn uncompressed_pixels_under_a_block_format_become_blocks() {
         assert_eq!(texel, if i % 8 < 4 { [1.0, 0.0, 0.0, 1.0] } else { [0.0; 4] }, "texel {i}");
     }
 }
+
+#[test]
+fn nicest_blocks_are_nearer_and_the_hint_of_the_image_counts() {
+    let format = GL_COMPRESSED_RGB_S3TC_DXT1_EXT;
+    let pixels: Vec<u8> = noise(16 * 16 * 4).iter().zip(0u32..).map(|(n, i)| (i / 5 % 200) as u8 + n % 50).collect();
+    let error = |gl: &mut Context, at: i32, want: &[f32]| -> f32 {
+        let got = read(gl, GL_TEXTURE_2D, at, want.len() / 4);
+        got.iter().zip(want).enumerate().filter(|(i, _)| i % 4 != 3).map(|(_, (a, b))| (a - b).powi(2)).sum()
+    };
+    // The image itself, its level 1 against the uncompressed one, and a part written under another hint.
+    let make = |format: u32, specify: u32, change: u32| {
+        let mut gl = Context::new(4, 4);
+        gl.hint(GL_TEXTURE_COMPRESSION_HINT, specify);
+        gl.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
+        gl.tex_image_2d(GL_TEXTURE_2D, 0, format, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, &pixels[..]);
+        gl.hint(GL_TEXTURE_COMPRESSION_HINT, change);
+        gl.tex_sub_image_2d(GL_TEXTURE_2D, 0, 4, 4, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, &pixels[..256]);
+        assert_eq!(gl.get_error(), GL_NO_ERROR);
+        gl
+    };
+    let want = read(&mut make(GL_RGBA8, GL_DONT_CARE, GL_DONT_CARE), GL_TEXTURE_2D, 0, 256);
+    let errors = |specify, change, at| {
+        let mut gl = make(format, specify, change);
+        let of_base = if at == 0 {
+            want.clone()
+        } else {
+            // What the level is made of are the decoded texels of the base level.
+            let base: Vec<f32> = read(&mut gl, GL_TEXTURE_2D, 0, 256);
+            let mut plain = Context::new(4, 4);
+            plain.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
+            plain.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA8, 16, 16, 0, GL_RGBA, GL_FLOAT, &base[..]);
+            read(&mut plain, GL_TEXTURE_2D, 1, 64)
+        };
+        error(&mut gl, at, &of_base)
+    };
+    for at in [0, 1] {
+        let (fast, dont_care, nice) = (
+            errors(GL_FASTEST, GL_FASTEST, at),
+            errors(GL_DONT_CARE, GL_DONT_CARE, at),
+            errors(GL_NICEST, GL_NICEST, at),
+        );
+        assert_eq!(fast, dont_care);
+        assert!(nice < 0.9 * fast, "level {at}: {nice} against {fast}");
+        assert_eq!(errors(GL_NICEST, GL_FASTEST, at), nice, "the hint of TexImage counts");
+        assert_eq!(errors(GL_FASTEST, GL_NICEST, at), fast, "the hint of TexImage counts");
+    }
+}

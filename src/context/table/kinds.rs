@@ -89,6 +89,16 @@ macro_rules! shown {
     (bits, $a:ident) => {
         &$crate::context::trace::Bits($a)
     };
+    (array, $a:ident) => {
+        &$a
+    };
+    (index_lists, $a:ident) => {
+        &$a
+    };
+    // A copy, so that a number stays in its register where nobody listens.
+    ($k:ident, $a:ident) => {
+        &{ $a }
+    };
     ($k:tt, $a:ident) => {
         &$a
     };

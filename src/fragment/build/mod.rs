@@ -13,7 +13,7 @@ use super::planes::Layout;
 use super::program::{Action, Decision, Fate, Options, Program};
 use super::stencil::StencilOp;
 use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
-use super::{alpha, depth, depth_rows, fill, stencil, texel};
+use super::{alpha, coordinates, depth, depth_rows, fill, stencil, tally, texel};
 use crate::batch::{Level, Stage, Step};
 use crate::enums::{GL_NONE, GL_NOOP};
 use crate::framebuffer::FramebufferFormat;
@@ -155,6 +155,33 @@ impl Builder<'_> {
             }
         }
         self.program.uniforms.layout = self.program.layout.clone();
+        if !general {
+            self.reciprocals();
+        }
+    }
+
+    /// Tells the stages of texture coordinates for whom to keep 1 / D.
+    fn reciprocals(&mut self) {
+        let units = self.program.layout.units;
+        let divides = |arg: u32| units.get(coordinates::unit_of(arg)).is_some_and(|u| u.is_some_and(|u| !u.has_q));
+        let (mut read, mut later) = (false, None::<&mut u32>);
+        for action in self.program.actions.iter_mut().rev() {
+            let Action::Stage(step) = action else { continue };
+            if !tally::INTERPOLATING.contains(&step.name) {
+                continue;
+            }
+            if step.name == coordinates::COORDINATES.name && divides(step.arg) {
+                if !read {
+                    step.arg |= coordinates::ALONE;
+                }
+                if let Some(later) = later {
+                    *later |= coordinates::AGAIN;
+                    step.arg |= coordinates::SHARED;
+                }
+                later = Some(&mut step.arg);
+            }
+            read = true;
+        }
     }
 
     /// Appends a stage.

@@ -1,9 +1,9 @@
 //! The end of a program: blending, logic op, colour mask and the store.
 
 use super::super::blend::{BLEND, BLEND_PACKED, BLEND_STORE, Equation, Factor, packed_pair};
-use super::super::program::Fate;
+use super::super::program::{Action, Fate};
 use super::super::uniforms::BlendUniforms;
-use super::super::{float_store, logic_op, pack};
+use super::super::{float_store, logic_op, pack, texel};
 use super::Builder;
 use crate::enums::{GL_CLEAR, GL_COPY, GL_SET, name};
 use crate::num::clamp01;
@@ -102,6 +102,10 @@ impl Builder<'_> {
             }
             _ => {}
         }
+        if blend.is_none() && !between && self.env_store() {
+            self.decide("store", Fate::Hoisted, "with the last environment: what it gives is written at once");
+            return;
+        }
         if blend.is_some() || between {
             self.push(&pack::LOAD, 0);
         }
@@ -123,5 +127,18 @@ impl Builder<'_> {
         }
         self.push(&pack::STORE, 0);
         self.decide("store", Fate::Kept, "rounded to the nearest; dithering is rounding");
+    }
+
+    /// Lets the last environment store its pixels itself, if it is the last stage; says whether it is so.
+    fn env_store(&mut self) -> bool {
+        match self.program.actions.last() {
+            Some(Action::Stage(step)) if step.name == texel::ENV_PACK.name => {
+                let arg = step.arg;
+                self.program.actions.pop();
+                self.push(&texel::ENV_STORE, arg);
+                true
+            }
+            _ => false,
+        }
     }
 }

@@ -144,9 +144,28 @@ impl Builder<'_> {
         let q = if has_q { "divided by q" } else { "q is 1" };
         let d = if derivatives { "with derivatives" } else { "no derivatives, the level cannot differ" };
         self.decide(format!("unit {unit} coordinates"), Fate::Kept, format!("{count} of s, t, r, {q}, {d}"));
+        if sampler.once {
+            let reason = "once a batch where w is constant over its primitive: derivatives are then constants";
+            self.decide(format!("unit {unit} level of detail"), Fate::Hoisted, reason);
+        }
+        if let Some(levels) = &sampler.levels
+            && let Some(place) = self.program.uniforms.levels.get_mut(unit)
+        {
+            *place = Some(levels.clone());
+            let reason = "not where the least and the greatest rho of a row leave one level";
+            self.decide(format!("unit {unit} derivatives"), Fate::Hoisted, reason);
+        }
         self.program.actions.push(Action::Sample(self.program.samplers.len()));
         let steps: Vec<_> = sampler.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
         self.decide(format!("unit {unit} sampler"), Fate::Kept, steps.join(", "));
+        if sampler.wraps {
+            let reason = "with the fetch, and only where a primitive's coordinates leave 0 to 1";
+            self.decide(format!("unit {unit} wrap"), Fate::Hoisted, reason);
+        }
+        if sampler.opaque {
+            let reason = "it is 1 in every texel, so it is 1 without a filter";
+            self.decide(format!("unit {unit} alpha"), Fate::LeftOut, reason);
+        }
         self.program.samplers.push(sampler);
     }
 

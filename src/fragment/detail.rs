@@ -1,0 +1,231 @@
+//! The level of detail of many fragments at once (OpenGL 1.5, section 3.8.8): where limits of rho over a part of a row leave
+//! one mipmap level, no fragment of it needs derivatives. With D > 0,
+//!
+//! ```text
+//!   du/dx = K_x / D^2    K_x = N_x D - N D_x    constant along a row
+//!   du/dy = K_y / D^2    K_y = N_y D - N D_y    linear along a row
+//! ```
+//!
+//! so the greatest and the least of |K_x|, |K_y| and D follow from the two ends. What rounding may add, here and in the
+//! derivatives that are not worked out, widens the limits. They are asked for once for several batches of a run: for all of
+//! it, or for as much as was of use before.
+
+use super::coordinates::Unit;
+use crate::limits::MAX_TEXTURE_UNITS;
+use crate::texture::batch::{Detail, TexBatch};
+use crate::texture::lod::Levels;
+
+/// What rounding leaves of sums and products of this many parts, generously: of `f64` (1/D has 2^-45) and of `f32`.
+const LOST_WIDE: f64 = 1.0 / (1u64 << 40) as f64;
+const LOST: f64 = 1.0 / (1u64 << 18) as f64;
+/// What rounding leaves of the squares of rho, which are `f32` everywhere.
+const LOST_RHO: f64 = 1.0 / (1u64 << 18) as f64;
+/// For how many pixels limits are asked for at most.
+const FARTHEST: u32 = 4096;
+
+/// Pixels of a row relative to the primitive's origin, both ends included.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    x: [f64; 2],
+    y: f64,
+}
+
+/// What is known of the run that a batch is a part of.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Ahead {
+    /// Pixels from the batch's first one to the end of the run; 0 where the batch is no part of one.
+    left: u32,
+    /// For each unit the level of the next pixels, and how many are left of the run when it is no more known.
+    levels: [(u32, u32); MAX_TEXTURE_UNITS],
+    /// For how many pixels to ask the next time.
+    reach: [u32; MAX_TEXTURE_UNITS],
+    /// Bit u: levels of unit u are blended here, and more will be.
+    blended: u32,
+}
+
+impl Ahead {
+    /// A run begins.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, len: u32) {
+        self.left = len;
+        self.levels = [(0, u32::MAX); MAX_TEXTURE_UNITS];
+        self.blended = 0;
+    }
+
+    /// So many pixels are done.
+    #[inline(always)]
+    pub(super) fn advance(&mut self, done: u32) {
+        self.left = self.left.saturating_sub(done);
+    }
+}
+
+#[inline(always)]
+fn positive(v: f64) -> f64 {
+    if v > 0.0 { v } else { 0.0 }
+}
+
+#[inline(always)]
+fn ordered(a: f64, b: f64) -> [f64; 2] {
+    if a < b { [a, b] } else { [b, a] }
+}
+
+/// Between which numbers the squares of rho of all pixels of a span are, as fragments compute them; `None` where D may
+/// come near 0.
+fn rho2<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> Option<[f64; 2]> {
+    let Span { x, y } = span;
+    let d = &unit.divisor;
+    let lost = if unit.wide { LOST_WIDE } else { LOST };
+    let far = x[0].abs() + x[1].abs();
+    let start = d.at + d.y * y;
+    let at = [start + d.x * x[0], start + d.x * x[1]];
+    let terms = d.at.abs() + (d.y * y).abs() + d.x.abs() * far;
+    let [least, most] = ordered(at[0], at[1]);
+    let (least, most) = (least - lost * terms, most + lost * terms);
+    if least.is_nan() || least <= 0.0 {
+        return None;
+    }
+    // Least and greatest sums of (K_x size)^2 and (K_y size)^2.
+    let (mut across, mut up) = ([0.0f64; 2], [0.0f64; 2]);
+    for k in 0..K {
+        let p = &unit.coords[k];
+        let n = p.n0 + p.ny * y;
+        let kx = (p.nx * start - n * d.x).abs();
+        let ends = [0, 1].map(|i: usize| p.ny * at[i] - (n + p.nx * x[i]) * d.y);
+        let [low, high] = ordered(ends[0].abs(), ends[1].abs());
+        let low = if ends[0] * ends[1] > 0.0 { low } else { 0.0 };
+        let n_terms = p.n0.abs() + (p.ny * y).abs() + p.nx.abs() * far;
+        let off = lost * ((p.nx.abs() + p.ny.abs()) * terms + n_terms * (d.x.abs() + d.y.abs()));
+        let square = |v: f64| v * scale[k] * (v * scale[k]);
+        across[0] += square(positive(kx - off));
+        across[1] += square(kx + off);
+        up[0] += square(positive(low - off));
+        up[1] += square(high + off);
+    }
+    let [low, high] = [0, 1].map(|i: usize| ordered(across[i], up[i])[1]);
+    let fourth = |d: f64| (d * d) * (d * d);
+    Some([low / fourth(most) * (1.0 - LOST_RHO), high / fourth(least) * (1.0 + LOST_RHO)])
+}
+
+/// What is known of the levels that the fragments of a row read, of the unit with this index. The row is so many pixels
+/// long from (x, y) on, relative to the primitive's origin.
+#[inline(always)]
+pub(super) fn of_row<const K: usize>(
+    ahead: &mut Ahead,
+    index: usize,
+    b: &TexBatch,
+    unit: &Unit<'_, K>,
+    (x, y, len): (i32, i32, u32),
+    levels: &Levels,
+) -> Detail {
+    let index = index % MAX_TEXTURE_UNITS;
+    let Some(after) = ahead.left.checked_sub(len) else { return Detail::Lanes };
+    let (level, end) = ahead.levels[index];
+    if after >= end {
+        return Detail::Level(level);
+    }
+    if (ahead.blended >> index) & 1 != 0 {
+        return Detail::Lanes;
+    }
+    let reach = ahead.reach[index].max(len);
+    let pixels = if reach < ahead.left { reach } else { ahead.left };
+    match only(b, unit, (x, y, pixels), levels) {
+        Some(level) => {
+            ahead.levels[index] = (level, ahead.left - pixels);
+            ahead.reach[index] = (2 * reach).min(FARTHEST);
+            Detail::Level(level)
+        }
+        None => {
+            ahead.reach[index] = pixels / 2;
+            ahead.blended |= u32::from(levels.blends) << index;
+            Detail::Lanes
+        }
+    }
+}
+
+/// The only level that so many pixels from (x, y) on read, if limits tell.
+#[inline(never)]
+fn only<const K: usize>(
+    b: &TexBatch,
+    unit: &Unit<'_, K>,
+    (x, y, pixels): (i32, i32, u32),
+    levels: &Levels,
+) -> Option<u32> {
+    let (x, y) = (f64::from(x), f64::from(y));
+    let last = x + f64::from(pixels.saturating_sub(1));
+    levels.only(b, rho2(unit, Span { x: [x, last], y }, &levels.scale)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::batch::{FragmentBatch, Segment};
+    use super::super::coordinates::{First, whole};
+    use super::super::planes::{Linear, Plane, Planes, UnitSlots};
+    use super::super::segments::Row;
+    use super::*;
+    use crate::batch::LANES;
+
+    /// Numbers between -1 and 1.
+    fn numbers() -> impl FnMut() -> f64 {
+        let mut state = 1u64;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        }
+    }
+
+    /// The squares of rho that fragments find are between the limits, and these are close where the row is far from the
+    /// horizon.
+    #[test]
+    fn limits_hold_every_fragment() {
+        const SLOTS: UnitSlots =
+            UnitSlots { base: 0, count: 2, has_q: false, period: [1; 3], size: [256, 64, 1], cube: false };
+        let mut next = numbers();
+        let mut b = Box::new(FragmentBatch::new());
+        let (mut known, mut close) = (0, 0);
+        for round in 0..40_000 {
+            let (steep, odd) = (10f64.powf(-2.0 + 2.5 * next()), 10f64.powf(4.0 * next()));
+            let divisor = Linear { at: 0.5 + 0.5 * next(), x: 1e-3 * steep * next(), y: 1e-3 * steep * next() };
+            let plane = |v: [f64; 3]| Plane { c: 0.3, min: -1e9, max: 1e9, n0: v[0], nx: v[1], ny: v[2] };
+            let mut numerator = || plane([odd * next(), 1e-2 * odd * next(), 1e-2 * odd * next()]);
+            let mut coords = [numerator(), numerator()];
+            if round % 5 == 0 {
+                // Nearly proportional to D: K is what is left of large terms.
+                let (k, off) = (odd * next(), 1e-4 * next());
+                coords[0] = plane([k * divisor.at, k * divisor.x * (1.0 + off), k * divisor.y * (1.0 - off)]);
+            }
+            let planes = Planes { d: divisor, ..Planes::default() };
+            let unit = Unit { planes: &planes, coords: &coords, divisor, has_q: false, wide: round % 2 == 0 };
+            let (x, y) = ((300.0 * next()) as i32, (300.0 * next()) as i32);
+            let len = 1 + (31.9 * (next() + 1.0)) as u32;
+            let row = Segment { len, x, y, row: true, ..Segment::default() };
+            let scale = SLOTS.size.map(f64::from);
+            let ends = [f64::from(x), f64::from(x) + f64::from(len - 1)];
+            let Some([least, greatest]) = rho2(&unit, Span { x: ends, y: f64::from(y) }, &[scale[0], scale[1], 0.0])
+            else {
+                continue;
+            };
+            known += 1;
+            close += u32::from(greatest < 1.1 * least);
+            whole(
+                &mut b,
+                &unit,
+                &Row::new(&row, &planes),
+                &SLOTS,
+                First { computes: true, leaves: true, shared: false },
+                true,
+            );
+            for i in 0..LANES.min(len as usize) {
+                let span = |d: &[crate::texture::batch::Lanes; 3]| {
+                    let (s, t) = (d[0][i] * scale[0] as f32, d[1][i] * scale[1] as f32);
+                    s * s + t * t
+                };
+                let found = f64::from(span(&b.tex.ddx).max(span(&b.tex.ddy)));
+                assert!(
+                    least <= found && found <= greatest,
+                    "{round}, lane {i}: {found:e} in {least:e} to {greatest:e}"
+                );
+            }
+        }
+        assert!(known > 20_000 && close > 10_000, "{known} rows, {close} of them with close limits");
+    }
+}
