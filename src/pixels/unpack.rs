@@ -176,10 +176,13 @@ impl<'a> ClientImage<'a> {
         }
     }
 
-    /// The colours from group `at` on as packed bytes R, G, B, A.
-    pub fn colors_rgba8(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) {
-        if transfer.keeps_colors() && self.copy_rgba8(at, out) {
-            return;
+    /// The colours from group `at` on as packed bytes R, G, B, A. Returns the bits that are set in all of them: what is
+    /// known while a texel is in a register need not be read again.
+    pub fn colors_rgba8(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) -> u32 {
+        if transfer.keeps_colors()
+            && let Some(common) = self.copy_rgba8(at, out)
+        {
+            return common;
         }
         let mut colors = [[0.0; 4]; CHUNK];
         for (n, part) in out.chunks_mut(CHUNK).enumerate() {
@@ -189,21 +192,20 @@ impl<'a> ClientImage<'a> {
                 *to = to_rgba8(from);
             }
         }
+        out.iter().fold(u32::MAX, |common, texel| common & texel)
     }
 
-    /// The short way for components of 8 bits: bytes are moved, never computed with. False if the type is another.
-    fn copy_rgba8(&self, at: [usize; 3], out: &mut [u32]) -> bool {
+    /// The short way for components of 8 bits: bytes are moved, never computed with. None if the type is another.
+    fn copy_rgba8(&self, at: [usize; 3], out: &mut [u32]) -> Option<u32> {
         let groups = self.groups(at);
         let opaque = 0xFF00_0000;
-        match (self.pixel.type_, self.pixel.format) {
-            (Type::UnsignedByte, Format::Rgba) => each(groups, out, u32::from_le_bytes),
+        let common = match (self.pixel.type_, self.pixel.format) {
+            (Type::UnsignedByte, Format::Rgba) => same(groups, out),
             (Type::UnsignedByte, Format::Bgra) => each(groups, out, |[b, g, r, a]| u32::from_le_bytes([r, g, b, a])),
             (Type::UnsignedByte, Format::Rgb) => each(groups, out, |[r, g, b]| u32::from_le_bytes([r, g, b, 255])),
             (Type::UnsignedByte, Format::Bgr) => each(groups, out, |[b, g, r]| u32::from_le_bytes([r, g, b, 255])),
             (Type::UnsignedByte, Format::Luminance) => each(groups, out, |[l]| gray(l) | opaque),
-            (Type::UnsignedByte, Format::LuminanceAlpha) => {
-                each(groups, out, |[l, a]| gray(l) | (u32::from(a) << 24));
-            }
+            (Type::UnsignedByte, Format::LuminanceAlpha) => each(groups, out, |[l, a]| gray(l) | (u32::from(a) << 24)),
             (Type::UnsignedByte, Format::Alpha) => each(groups, out, |[a]| u32::from(a) << 24),
             (Type::UnsignedByte, Format::Red) => each(groups, out, |[r]| u32::from(r) | opaque),
             (Type::UnsignedByte, Format::Green) => each(groups, out, |[g]| u32::from(g) << 8 | opaque),
@@ -214,14 +216,14 @@ impl<'a> ClientImage<'a> {
                 let number =
                     |bytes| if reverse { u32::from_ne_bytes(bytes).swap_bytes() } else { u32::from_ne_bytes(bytes) };
                 if format == Format::Bgra {
-                    each(groups, out, |bytes| swap_red_blue(number(bytes)));
+                    each(groups, out, |bytes| swap_red_blue(number(bytes)))
                 } else {
-                    each(groups, out, number);
+                    each(groups, out, number)
                 }
             }
-            _ => return false,
-        }
-        true
+            _ => return None,
+        };
+        Some(common)
     }
 }
 
@@ -237,10 +239,33 @@ fn gray(l: u8) -> u32 {
     u32::from(l) * 0x01_0101
 }
 
-fn each<const N: usize>(groups: &[u8], out: &mut [u32], convert: impl Fn([u8; N]) -> u32) {
+/// Groups that are texels already. The source is looked at first, many texels at a time, and copied as a whole then: that
+/// finds it in the cache, where reading the copy again would wait for it.
+fn same(groups: &[u8], out: &mut [u32]) -> u32 {
+    let len = (groups.len() / 4).min(out.len());
+    for (to, from) in out.iter_mut().zip(groups.as_chunks::<4>().0) {
+        *to = u32::from_le_bytes(*from);
+    }
+    let (blocks, rest) = groups[..4 * len].as_chunks::<4>().0.as_chunks::<16>();
+    let mut common = [u32::MAX; 16];
+    for block in blocks {
+        for i in 0..16 {
+            common[i] &= u32::from_le_bytes(block[i]);
+        }
+    }
+    let rest = rest.iter().map(|texel| u32::from_le_bytes(*texel));
+    let common = common.into_iter().chain(rest).fold(u32::MAX, |all, texel| all & texel);
+    common
+}
+
+/// Converts each group; the bits that are set in all results.
+fn each<const N: usize>(groups: &[u8], out: &mut [u32], convert: impl Fn([u8; N]) -> u32) -> u32 {
+    let mut common = u32::MAX;
     for (to, from) in out.iter_mut().zip(groups.as_chunks::<N>().0) {
         *to = convert(*from);
+        common &= *to;
     }
+    common
 }
 
 fn indices<E: Element>(groups: &[u8], swap: bool, out: &mut [f64]) {

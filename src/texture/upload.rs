@@ -95,9 +95,8 @@ impl Image {
                 match &mut self.texels {
                     Texels::Rgba8(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
-                        pixels.colors_rgba8([0, y, z], transfer, row);
-                        expand_rgba8(base, row);
-                        opaque = opaque && is_opaque(row);
+                        let common = pixels.colors_rgba8([0, y, z], transfer, row);
+                        opaque = opaque && is_opaque(expand_rgba8(base, row, common));
                     }
                     Texels::Float(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
@@ -138,7 +137,7 @@ impl Image {
             && let (Some(to), Some(from)) = (texels.get_mut(start..start + len), row.get(from..from + len))
         {
             to.copy_from_slice(from);
-            expand_rgba8(base, to);
+            expand_rgba8(base, to, 0);
         }
     }
 
@@ -193,14 +192,20 @@ impl Image {
     }
 }
 
-/// Whether alpha is 255 in a row. While the row is in the cache this costs little.
-fn is_opaque(row: &[u32]) -> bool {
-    row.iter().fold(u32::MAX, |all, texel| all & texel) >= 0xFF00_0000
+/// Whether alpha is 255 in texels that have these bits in common.
+fn is_opaque(common: u32) -> bool {
+    common >= 0xFF00_0000
 }
 
-/// Expands a row in place; nothing is left to do for RGBA.
-fn expand_rgba8(base: BaseFormat, row: &mut [u32]) {
+/// Expands a row in place and returns the bits that its texels have in common, as far as that is known before; nothing is
+/// left to do for RGBA.
+fn expand_rgba8(base: BaseFormat, row: &mut [u32], mut common: u32) -> u32 {
     if base != BaseFormat::Rgba {
-        row.iter_mut().for_each(|t| *t = base.expand_rgba8(*t));
+        common = u32::MAX;
+        for texel in row {
+            *texel = base.expand_rgba8(*texel);
+            common &= *texel;
+        }
     }
+    common
 }
