@@ -239,13 +239,13 @@ fn gray(l: u8) -> u32 {
     u32::from(l) * 0x01_0101
 }
 
-/// Groups that are texels already. The source is looked at first, many texels at a time, and copied as a whole then: that
-/// finds it in the cache, where reading the copy again would wait for it.
+/// Groups that are texels already: copied as a whole, then the source is looked at, many texels at a time. It is in the
+/// cache then, where the copy need not be.
 fn same(groups: &[u8], out: &mut [u32]) -> u32 {
-    let len = (groups.len() / 4).min(out.len());
     for (to, from) in out.iter_mut().zip(groups.as_chunks::<4>().0) {
         *to = u32::from_le_bytes(*from);
     }
+    let len = (groups.len() / 4).min(out.len());
     let (blocks, rest) = groups[..4 * len].as_chunks::<4>().0.as_chunks::<16>();
     let mut common = [u32::MAX; 16];
     for block in blocks {
@@ -254,8 +254,7 @@ fn same(groups: &[u8], out: &mut [u32]) -> u32 {
         }
     }
     let rest = rest.iter().map(|texel| u32::from_le_bytes(*texel));
-    let common = common.into_iter().chain(rest).fold(u32::MAX, |all, texel| all & texel);
-    common
+    common.into_iter().chain(rest).fold(u32::MAX, |all, texel| all & texel)
 }
 
 /// Converts each group; the bits that are set in all results.

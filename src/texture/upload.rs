@@ -96,7 +96,8 @@ impl Image {
                     Texels::Rgba8(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
                         let common = pixels.colors_rgba8([0, y, z], transfer, row);
-                        opaque = opaque && is_opaque(expand_rgba8(base, row, common));
+                        let common = expand_rgba8(base, row, common);
+                        opaque = opaque && is_opaque(common);
                     }
                     Texels::Float(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
