@@ -134,16 +134,20 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
     let func = Func::from_arg(arg >> 1);
     let (x, y) = row_origin(&segment, planes);
     let slope = Slope::new(&planes.z, y, u.depth_max);
-    slope.depths(x, &mut b.z);
+    // Lanes of their own, written to the batch once: lanes that were just written through a mask are read again only when
+    // they have reached the cache.
+    let mut z = [0; LANES];
+    slope.depths(x, &mut z);
+    let mut mask = lanes(n as usize);
+    compare(func, &z, depth, &mut mask);
+    let living = living(&mask);
     b.tex.n = n as usize;
-    b.tex.mask = lanes(n as usize);
     b.dense = false;
-    compare(func, &b.z, depth, &mut b.tex.mask);
-    let living = living(&b.tex.mask);
     b.alive = living != 0;
     if arg & WRITE != 0 && b.alive {
-        write(living == LANES as u32, &b.tex.mask, &b.z, depth);
+        write(living == LANES as u32, &mask, &z, depth);
     }
+    (b.z, b.tex.mask) = (z, mask);
     true
 }
 
