@@ -57,7 +57,12 @@ pub(super) struct Unit<'a, const K: usize> {
 
 /// The planes of a segment's primitive for a unit.
 #[inline(always)]
-fn unit<'a, const K: usize>(w: &Work<'a, '_>, segment: &Segment, slots: &UnitSlots, index: u32) -> Option<Unit<'a, K>> {
+pub(super) fn unit<'a, const K: usize>(
+    w: &Work<'a, '_>,
+    segment: &Segment,
+    slots: &UnitSlots,
+    index: u32,
+) -> Option<Unit<'a, K>> {
     let planes = w.planes.get(segment.prim as usize)?;
     let first = (planes.first as usize).checked_add(slots.base)?;
     if planes.member.is_some() {

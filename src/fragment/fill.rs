@@ -8,8 +8,10 @@ use super::buffers::write;
 use super::compare::{Func, compare, living};
 use super::depth::WRITE;
 use super::depth_rows::{Slope, coarse, hidden, lanes, look};
+use super::fill_texels::texels;
 use super::interpolate::primitive;
 use super::pack::Paint;
+use super::planes::Planes;
 use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
@@ -21,10 +23,25 @@ pub(super) const COLOR: u32 = 1 << 5;
 /// Pixels of the last blocks of a run.
 const SHORT: usize = 16;
 
+/// What gives a run its colours.
+pub(super) trait Source {
+    /// Writes the pixels from x on, relative to the primitive's origin, where the mask is set; if `full` says so, all.
+    fn store<const N: usize>(&self, x: i32, full: bool, mask: &[u32; N], to: &mut [u32; N]);
+}
+
+impl Source for Paint {
+    #[inline(always)]
+    fn store<const N: usize>(&self, x: i32, full: bool, mask: &[u32; N], to: &mut [u32; N]) {
+        let mut packed = [0; N];
+        self.pixels(x, &mut packed);
+        write(full, mask, &packed, to);
+    }
+}
+
 /// What all blocks of a run need.
-struct Run {
+struct Run<S> {
     depth: Option<(Slope, Func, bool)>,
-    paint: Option<Paint>,
+    source: Option<S>,
 }
 
 /// What became of a block.
@@ -38,7 +55,7 @@ enum Block {
     Outside,
 }
 
-impl Run {
+impl<S: Source> Run<S> {
     /// `N` pixels from `at` on, of which the first `n` are of the run; lane 0 is at `x`, relative to the primitive's
     /// origin.
     #[inline(always)]
@@ -46,11 +63,11 @@ impl Run {
         let mut mask = lanes::<N>(n);
         let mut full = n == N;
         let mut color = None;
-        if let Some(paint) = &self.paint {
+        if let Some(source) = &self.source {
             let Some(pixels) = w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
                 return Block::Outside;
             };
-            color = Some((paint, pixels));
+            color = Some((source, pixels));
         }
         if let Some((slope, func, writes)) = &self.depth {
             let Some(depth) = w.band.depth.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
@@ -68,10 +85,8 @@ impl Run {
                 write(full, &mask, &z, depth);
             }
         }
-        if let Some((paint, pixels)) = color {
-            let mut packed = [0; N];
-            paint.pixels(x, &mut packed);
-            write(full, &mask, &packed, pixels);
+        if let Some((source, pixels)) = color {
+            source.store(x, full, &mask, pixels);
         }
         Block::Alive
     }
@@ -84,6 +99,44 @@ impl Run {
         let rest = Segment { x: run.x.wrapping_add(step), len: run.len - first, ..*run };
         from + hidden(w.band, &rest, slope, x.wrapping_add(step), *func) as usize
     }
+}
+
+/// The depth test of a stage's number along a row: `None` where there is none, else with the function and whether depths
+/// are written.
+#[inline(always)]
+fn depth_test(planes: &Planes, y: i32, u: &FragUniforms, arg: u32) -> Option<(Slope, Func, bool)> {
+    (arg & DEPTH != 0).then(|| (Slope::new(&planes.z, y, u.depth_max), Func::from_arg(arg >> 1), arg & WRITE != 0))
+}
+
+/// The run of a segment that begins at x, relative to the primitive's origin; gives how many of its pixels are done.
+#[inline(always)]
+fn run<S: Source>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>) -> usize {
+    let (len, at) = (segment.len as usize, segment.offset as usize);
+    let mut done = run.skip(w, segment, x0, 0);
+    let first = done;
+    while done < len {
+        let (at, x) = (at + done, x0.wrapping_add(done as i32));
+        let left = len - done;
+        let (block, n) = if left >= LANES {
+            (run.block::<LANES>(w, at, x, LANES), LANES)
+        } else {
+            let n = if left > SHORT { SHORT } else { left };
+            (run.block::<SHORT>(w, at, x, n), n)
+        };
+        match block {
+            Block::Outside => break,
+            Block::Alive => done += n,
+            Block::Dead => done = run.skip(w, segment, x0, done + n),
+        }
+    }
+    if let Some((_, func, true)) = run.depth
+        && first < done
+        && coarse(func)
+    {
+        let (x, offset) = (segment.x.wrapping_add(first as i32), segment.offset.wrapping_add(first as u32));
+        look(w.band, &Segment { x, offset, ..*segment }, done - first);
+    }
+    done
 }
 
 stage! {
@@ -102,13 +155,8 @@ stage! {
                 return;
             }
         }
-        let depth = if arg & DEPTH == 0 {
-            None
-        } else {
-            Some((Slope::new(&planes.z, y, u.depth_max), Func::from_arg(arg >> 1), arg & WRITE != 0))
-        };
-        let len = segment.len as usize;
-        let at = segment.offset as usize;
+        let depth = depth_test(planes, y, u, arg);
+        let (len, at) = (segment.len as usize, segment.offset as usize);
         if depth.is_none() && let Some(Paint::Flat(packed)) = paint {
             if let Some(pixels) = w.band.rgba8.get_mut(at..at + len) {
                 pixels.fill(packed);
@@ -116,32 +164,18 @@ stage! {
             }
             return;
         }
-        let run = Run { depth, paint };
-        let x0 = x;
-        let mut done = run.skip(w, &segment, x0, 0);
-        let first = done;
-        while done < len {
-            let (at, x) = (at + done, x0.wrapping_add(done as i32));
-            let left = len - done;
-            let (block, n) = if left >= LANES {
-                (run.block::<LANES>(w, at, x, LANES), LANES)
-            } else {
-                let n = if left > SHORT { SHORT } else { left };
-                (run.block::<SHORT>(w, at, x, n), n)
-            };
-            match block {
-                Block::Outside => break,
-                Block::Alive => done += n,
-                Block::Dead => done = run.skip(w, &segment, x0, done + n),
-            }
-        }
-        if let Some((_, func, true)) = run.depth
-            && first < done
-            && coarse(func)
-        {
-            let (x, offset) = (segment.x.wrapping_add(first as i32), segment.offset.wrapping_add(first as u32));
-            look(w.band, &Segment { x, offset, ..segment }, done - first);
-        }
-        b.tex.n = done;
+        b.tex.n = run(w, &segment, x, &Run { depth, source: paint });
+    }
+
+    /// The same with the nearest texel of one image in the place of a colour. What it does not do (at the end of the
+    /// buffers, or coordinates far from 0) must go through batches.
+    pub(super) fn FILL_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        b.tex.n = 0;
+        let segment = b.segments[0];
+        let Some(planes) = w.planes.get(segment.prim as usize) else { return };
+        let (x, y) = row_origin(&segment, planes);
+        let Some(source) = texels(u, w, &segment, y) else { return };
+        let depth = depth_test(planes, y, u, arg);
+        b.tex.n = run(w, &segment, x, &Run { depth, source: Some(source) });
     }
 }

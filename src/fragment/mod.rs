@@ -12,6 +12,7 @@ mod depth;
 mod depth_rows;
 mod detail;
 mod fill;
+mod fill_texels;
 mod float_store;
 mod fog;
 mod interpolate;

@@ -93,6 +93,8 @@ pub struct Program {
     pub(super) actions: Vec<Action>,
     /// The stage that does whole runs by itself, where the program is so simple that there is one.
     pub(super) fill: Option<Step<FragFn>>,
+    /// Whether that stage reads no texture.
+    pub(super) light: bool,
     /// The stage that says which pixels of a run the coarse depths hide.
     pub(super) hidden: Option<Step<FragFn>>,
     /// The stage that tells the coarse depths of what a run has left behind.
@@ -165,13 +167,13 @@ impl Program {
     /// Runs of a row from this length on may be given to [`row`](Self::row).
     #[must_use]
     pub fn row_from(&self) -> u32 {
-        if self.fill.is_some() { FILLED } else { SPLIT }
+        if self.light { FILLED } else { SPLIT }
     }
 
     /// Whether a pixel of a large area costs next to nothing: depth and an interpolated colour in one stage.
     #[must_use]
     pub fn is_light(&self) -> bool {
-        self.fill.is_some()
+        self.light
     }
 
     /// Works on pixels of one primitive and row, from its start on as many as pay: the rest, whose number is less than
@@ -186,21 +188,24 @@ impl Program {
         band: &mut Band<'_>,
     ) -> u32 {
         let (len, pool) = (run.len, pool.into());
+        let mut done = 0;
         if let Some(step) = &self.fill {
             if self.raises_depth {
                 band.coarse.forget();
             }
-            return self.measure(step, batch, run, Work { planes, pool, band });
+            done = self.measure(step, batch, run, Work { planes, pool, band });
+            if self.light || done == len {
+                return done;
+            }
         }
         let rest = |done: u32| {
             let (x, offset) = (run.x.wrapping_add(done as i32), run.offset.wrapping_add(done));
             Segment { start: 0, len: len - done, x, offset, row: true, ..run }
         };
-        let mut done = 0;
         // The first pixel that was worked on, and the first after those that were.
         let (mut first, mut last) = (len, 0);
         batch.alive = false;
-        batch.ahead.begin(len);
+        batch.ahead.begin(len - done);
         while len - done >= SPLIT {
             if let Some(step) = &self.hidden
                 && !batch.alive

@@ -3,6 +3,7 @@
 
 use super::batch::FragmentBatch;
 use super::blend::{Equation, Factor};
+use super::fill_texels::Copied;
 use super::planes::{Layout, PlanePool, Planes};
 use super::stencil::StencilOp;
 use crate::framebuffer::Band;
@@ -38,6 +39,8 @@ pub struct FragUniforms {
     pub stencil: StencilUniforms,
     /// Blending.
     pub blend: BlendUniforms,
+    /// Which texels a program copies that does nothing else with textures, and no more to colours.
+    pub copied: Option<Copied>,
 }
 
 /// The numbers of the stencil test.

@@ -13,7 +13,7 @@ use crate::texture::batch::{Detail, Lanes, TexBatch};
 
 /// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
 #[inline(always)]
-fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
+pub(super) fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0;
     v - period * ((v * inverse + MAGIC) - MAGIC)
 }

@@ -33,7 +33,7 @@ pub(super) fn byte(texel: u32, c: u32) -> f32 {
 
 /// The 8-bit texels of an image; none if it stores others.
 #[inline(always)]
-pub(super) fn texels(image: &MipLevel) -> &[u32] {
+pub fn texels(image: &MipLevel) -> &[u32] {
     match &image.image.texels {
         Texels::Rgba8(texels) => texels,
         _ => &[],
@@ -145,13 +145,13 @@ fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, ar
 
 /// The first index, if each lane reads the texel after that of the lane before it: an image drawn in its own size.
 #[inline(always)]
-fn neighbours(at: &[u32; LANES]) -> Option<usize> {
-    let first = at[0];
-    if at[LANES - 1].wrapping_sub(first) != LANES as u32 - 1 {
+pub fn neighbours<const N: usize>(at: &[u32; N]) -> Option<usize> {
+    let first = *at.first()?;
+    if at.last()?.wrapping_sub(first) != N as u32 - 1 {
         return None;
     }
     let mut differs = 0;
-    for i in 0..LANES {
+    for i in 0..N {
         differs |= at[i].wrapping_sub(first) ^ i as u32;
     }
     (differs == 0).then_some(first as usize)

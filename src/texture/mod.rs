@@ -17,7 +17,7 @@ mod image_tests;
 pub mod linear;
 pub mod lod;
 pub mod mipmap;
-mod near;
+pub mod near;
 pub mod object;
 pub mod pads;
 pub mod readback;

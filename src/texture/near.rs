@@ -52,7 +52,7 @@ fn repeat_mask(limit: f32, scale: f32, n: f32) -> Option<u32> {
 
 /// REPEAT of powers of two, CLAMP and CLAMP_TO_EDGE in one form, for the nearest texel of an image in one step.
 #[derive(Clone, Copy)]
-pub(super) struct Near {
+pub struct Near {
     n: f32,
     least: f32,
     greatest: f32,
@@ -62,7 +62,7 @@ pub(super) struct Near {
 impl Near {
     /// For coordinates no farther from 0 than `limit` and N texels; `None` where REPEAT does not come down to a mask.
     #[inline(always)]
-    pub(super) fn new(repeats: bool, limit: f32, n: f32) -> Option<Self> {
+    pub fn new(repeats: bool, limit: f32, n: f32) -> Option<Self> {
         if !repeats {
             // Limited to just below N, the index is at most N - 1.
             return Some(Self { n, least: 0.0, greatest: n.next_down(), mask: u32::MAX >> 10 });
@@ -73,7 +73,7 @@ impl Near {
 
     /// The index of the texel at `s`.
     #[inline(always)]
-    pub(super) fn index(&self, s: f32) -> u32 {
+    pub fn index(&self, s: f32) -> u32 {
         let x = clamp_f32(s * self.n, self.least, self.greatest);
         let biased = x + MAGIC;
         biased.to_bits().wrapping_sub(u32::from(biased - MAGIC > x)) & self.mask

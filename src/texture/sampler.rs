@@ -8,7 +8,7 @@ use super::image::Image;
 use super::lod::Levels;
 use super::object::TextureObject;
 use super::pads::PadKey;
-use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
+use super::uniforms::{NearestImage, TexFn, UnitUniforms, is_mipmap_filter, level_range};
 use super::{address, anisotropy, cube, filter, filter_float, linear, lod, shadow};
 use crate::batch::{Level, Plan, Stage, Step};
 use crate::enums::*;
@@ -269,6 +269,16 @@ impl Sampler {
             None => self.plan.push(filter::nearest_packed(dims), 0),
         }
         true
+    }
+
+    /// The image and its wraps, if the sampler does nothing but give its nearest texels, packed, by a wrap that
+    /// [`Near`](super::near::Near) knows.
+    #[must_use]
+    pub fn copies(&self) -> Option<NearestImage> {
+        let [step] = self.plan.steps.as_slice() else { return None };
+        let level = self.uniforms.images.first().filter(|_| step.name == filter::WRAP_NEAREST_2D_PACKED.name)?;
+        let repeats = [step.arg & filter::REPEATS != 0, step.arg & (2 * filter::REPEATS) != 0];
+        Some(NearestImage { level: level.clone(), repeats })
     }
 
     /// Samples all lanes of a batch: reads coordinates and derivatives, writes the texel of the unit.

@@ -42,6 +42,15 @@ impl MipLevel {
     }
 }
 
+/// An image of 8-bit texels of which a sampler reads the nearest texel and nothing else.
+#[derive(Clone, Debug)]
+pub struct NearestImage {
+    /// The image.
+    pub level: MipLevel,
+    /// Whether s and t are wrapped by REPEAT; by CLAMP or CLAMP_TO_EDGE where not.
+    pub repeats: [bool; 2],
+}
+
 /// What the stages of one unit's sampler read.
 #[derive(Clone, Debug)]
 pub struct UnitUniforms {

@@ -64,6 +64,7 @@ impl Program {
             uniforms: FragUniforms::default(),
             actions: Vec::new(),
             fill: None,
+            light: false,
             hidden: None,
             look: None,
             raises_depth: false,
@@ -136,8 +137,12 @@ impl Builder<'_> {
                 self.count_and_stop(&tests, count);
             }
             let whole = writes_color && self.program.uniforms.color_mask == u32::MAX;
-            if early && plain && whole && !count {
-                self.fill(&tests, fill::COLOR);
+            if early && whole && !count {
+                if plain {
+                    self.fill(&tests, fill::COLOR);
+                } else {
+                    self.fill_texels(&tests);
+                }
             }
             if direct && plain {
                 self.decide("store", Fate::Hoisted, "with the colour, since no test can kill a fragment");
@@ -311,17 +316,25 @@ impl Builder<'_> {
         if tests.stencil.is_some() || (tests.depth.is_none() && color == 0) {
             return;
         }
-        let depth = tests
-            .depth
-            .map_or(0, |func| fill::DEPTH | (func as u32) << 1 | if tests.depth_write { depth::WRITE } else { 0 });
-        let stage = &fill::FILL;
+        self.program.light = true;
+        let reason = "only depth and an interpolated colour: one stage does whole runs of a row";
+        self.fill_runs(&fill::FILL, tests, color, reason);
+    }
+
+    /// The same with texels that are stored as they are, if they come from one image.
+    fn fill_texels(&mut self, tests: &Tests) {
+        if tests.stencil.is_none() && self.program.uniforms.copied.is_some() {
+            let reason = "only depth and texels as they are: one stage does whole runs of a row";
+            self.fill_runs(&fill::FILL_TEXELS, tests, 0, reason);
+        }
+    }
+
+    fn fill_runs(&mut self, stage: &Stage<FragFn>, tests: &Tests, flags: u32, reason: &str) {
+        let writes = if tests.depth_write { depth::WRITE } else { 0 };
+        let depth = tests.depth.map_or(0, |func| fill::DEPTH | (func as u32) << 1 | writes);
         let run = stage.levels[self.level as usize];
-        self.program.fill = Some(Step { name: stage.name, run, arg: depth | color });
-        self.decide(
-            "long runs",
-            Fate::Hoisted,
-            "only depth and an interpolated colour: one stage does whole runs of a row",
-        );
+        self.program.fill = Some(Step { name: stage.name, run, arg: depth | flags });
+        self.decide("long runs", Fate::Hoisted, reason);
     }
 
     /// What follows when all tests are done.

@@ -2,6 +2,7 @@
 //! environments. Where nothing but the alpha test comes between the last environment and the store, its colour is rounded
 //! as it is made, or never leaves the packed form in which the texel was stored.
 
+use super::super::fill_texels::Copied;
 use super::super::planes::UnitSlots;
 use super::super::program::{Action, Fate};
 use super::super::{coordinates, interpolate, texel};
@@ -87,6 +88,11 @@ impl Builder<'_> {
             self.decide("colour", Fate::Kept, "a texture environment reads it");
         } else {
             self.decide("colour", Fate::LeftOut, "no texture environment reads the primary colour");
+        }
+        if let (Leaves::Texels(0), [(unit, sampler)]) = (leaves, samplers.as_slice())
+            && !self.has_q(*unit, false)
+        {
+            self.program.uniforms.copied = sampler.copies().map(|from| Copied { unit: *unit as u32, from });
         }
         for (unit, sampler) in samplers {
             self.unit(unit, sampler);

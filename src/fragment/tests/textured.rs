@@ -124,6 +124,7 @@ fn same_bytes(
             let options = Options { general, q_units: 0, ..Options::default() };
             let p = Program::build(level, state, units, format, options);
             names = p.stage_names();
+            names.extend(p.fill.iter().map(|step| step.name));
             let scene = scene(&mut Random::new(seed), &p.layout, affine, wide);
             for feed in Feed::ALL {
                 let mut f = Framebuffer::new(96, 20, *format).unwrap();
@@ -152,6 +153,7 @@ fn texels_that_become_pixels_at_once_are_the_same() {
         let mut state = State::default();
         state.color_buffer.alpha_test = r.below(3) == 0;
         (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (GL_GREATER, 0.4);
+        (state.depth.test, state.depth.mask) = (r.bool(), r.bool());
         let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
         let count = r.pick(&[1, 1, 2]);
         let textures: Vec<_> = (0..count)
@@ -180,6 +182,29 @@ fn texels_that_become_pixels_at_once_are_the_same() {
         rounded += usize::from(names.contains(&"ENV_PACK") || names.contains(&"ENV_STORE"));
     }
     assert!(texels > 20 && rounded > 60, "{texels} programs store texels, {rounded} round at once");
+}
+
+#[test]
+fn runs_that_copy_texels_give_the_same_bytes_as_batches() {
+    let mut r = Random::new(5);
+    let mut runs = 0;
+    for case in 0..100 {
+        let mut state = State::default();
+        (state.depth.test, state.depth.mask) = (r.bool(), r.bool());
+        state.depth.func = r.pick(&[GL_LESS, GL_GREATER, GL_ALWAYS]);
+        state.texture.units[0].env.mode = GL_REPLACE;
+        let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
+        let wraps = [r.pick(&[GL_REPEAT, GL_CLAMP]), r.pick(&[GL_REPEAT, GL_CLAMP_TO_EDGE])];
+        let size = r.pick(&[[16, 8], [64, 64], [12, 10], [2, 256]]);
+        let mut object = texture(&mut r, GL_RGBA8, size, [GL_NEAREST; 2], GL_REPEAT);
+        (object.parameters.wrap[0], object.parameters.wrap[1]) = (wraps[0], wraps[1]);
+        prepare(&mut object).unwrap();
+        let mut units = [None; 8];
+        units[0] = Some(&object);
+        let names = same_bytes(&mut r, case, &state, &format, units);
+        runs += usize::from(names.contains(&"FILL_TEXELS"));
+    }
+    assert_eq!(runs, 100);
 }
 
 #[test]
