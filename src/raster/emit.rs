@@ -20,8 +20,11 @@ pub trait Sink {
 /// Runs from this length on become row segments.
 const ROW: usize = 16;
 
-/// Where dense lanes are, in the form in which they are appended: a place, which many lanes share, and the pixel of an 8 by
-/// 8 block there. What is written beyond the lanes in use is overwritten by the next ones.
+/// Pixels to a side of the block that dense lanes have a place in.
+const BLOCK: i32 = 16;
+
+/// Where dense lanes are, in the form in which they are appended: a place, which many lanes share, and the pixel of a 16 by
+/// 16 block there. What is written beyond the lanes in use is overwritten by the next ones.
 #[derive(Debug)]
 #[repr(C, align(64))]
 struct Pending {
@@ -29,10 +32,22 @@ struct Pending {
     offset: [u32; LANES + 8],
     x: [i32; LANES + 8],
     y: [i32; LANES + 8],
-    /// 8 row + column.
-    pixel: [u8; LANES + 8],
+    /// 16 row + column.
+    pixel: [u8; LANES + BLOCK as usize],
     /// Of one row up.
     step: u32,
+}
+
+/// A block of 16 by 16 pixels that is being appended.
+#[derive(Debug)]
+pub struct Block {
+    x: i32,
+    y: i32,
+    /// Relative to the primitive's origin.
+    place: [i32; 2],
+    offset: u32,
+    /// The first lane.
+    start: usize,
 }
 
 /// Writes offsets and positions of all dense lanes of a batch.
@@ -43,7 +58,7 @@ stage! {
     fn SPREAD: SpreadFn = (p: &Pending, b: &mut FragmentBatch) {
         for i in 0..LANES {
             let pixel = u32::from(p.pixel[i]);
-            let (column, row) = (pixel & 7, pixel >> 3);
+            let (column, row) = (pixel & 15, pixel >> 4);
             b.offset[i] = p.offset[i].wrapping_add(p.step.wrapping_mul(row)).wrapping_add(column);
             b.dx[i] = p.x[i].wrapping_add(column as i32) as f32;
             b.dy[i] = p.y[i].wrapping_add(row as i32) as f32;
@@ -84,7 +99,8 @@ impl Emitter {
     #[must_use]
     pub fn new(level: Level) -> Self {
         const N: usize = LANES + 8;
-        let pending = Pending { offset: [0; N], x: [0; N], y: [0; N], pixel: [0; N], step: 0 };
+        let pixel = [0; LANES + BLOCK as usize];
+        let pending = Pending { offset: [0; N], x: [0; N], y: [0; N], pixel, step: 0 };
         Self {
             pending: Box::new(pending),
             dense: false,
@@ -227,10 +243,25 @@ impl Emitter {
         let (start, end) = (b.tex.n, self.cut.min(LANES));
         let (mut n, mut rest) = (start, bits);
         while n < end && rest != 0 {
-            p.pixel[n] = rest.trailing_zeros() as u8;
+            let bit = rest.trailing_zeros();
+            // From 8 row + column.
+            p.pixel[n] = (bit + (bit & 0x38)) as u8;
             rest &= rest - 1;
             n += 1;
         }
+        if self.smooth {
+            b.coverage.iter_mut().take(n).skip(start).for_each(|coverage| *coverage = 1.0);
+        }
+        b.tex.n = n;
+        self.put_place(start, [x, y], offset);
+        rest
+    }
+
+    /// Says where the lanes from `start` to the batch's last are: at a place, relative to the primitive's origin.
+    #[inline]
+    fn put_place(&mut self, start: usize, [x, y]: [i32; 2], offset: u32) {
+        let (b, p) = (&mut *self.batch, &mut *self.pending);
+        let n = b.tex.n;
         // Eight lanes at a time, so that the few of most triangles need no loop.
         let mut at = start;
         while at < n {
@@ -244,17 +275,62 @@ impl Emitter {
             (*offsets, *xs, *ys) = ([offset; 8], [x; 8], [y; 8]);
             at += 8;
         }
-        if self.smooth {
-            b.coverage.iter_mut().take(n).skip(start).for_each(|coverage| *coverage = 1.0);
-        }
         self.dense = true;
-        b.tex.n = n;
         if let Some(segment) = b.segments.get_mut(b.segment_count) {
             let (start, len) = (start as u32, (n - start) as u32);
             *segment = Segment { prim: self.prim, start, len, x, y, offset, row: false };
             b.segment_count += 1;
         }
-        rest
+    }
+
+    /// Whether the primitive lies within 16 by 16 pixels and may come as a block.
+    #[inline]
+    pub fn takes_blocks(&self) -> bool {
+        self.grouped && !self.smooth
+    }
+
+    /// Begins a block of 16 by 16 pixels, whose runs [`block_run`](Self::block_run) appends and [`end_block`](Self::end_block)
+    /// closes; nothing else is appended in between.
+    #[inline]
+    pub fn block(&self, x: i32, y: i32) -> Block {
+        let place = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
+        Block { x, y, place, offset: self.offset(x, y), start: self.batch.tex.n }
+    }
+
+    /// Appends a run of pixels of a block, without coverage.
+    #[inline]
+    pub fn block_run(&mut self, block: &mut Block, x: i32, y: i32, len: i32, sink: &mut impl Sink) {
+        let (mut x, mut len) = (x, len.min(BLOCK));
+        while len > 0 {
+            let n = self.batch.tex.n;
+            let take = len.min((self.cut - n.min(self.cut)) as i32);
+            let bits = (u64::MAX >> (64 - take.max(1))).rotate_left(x as u32 & 63);
+            let seen = &mut self.seen[y as usize & 63];
+            if take == 0 || (self.ordered && *seen & bits != 0) {
+                self.end_block(block);
+                self.finish(sink);
+                block.start = 0;
+                continue;
+            }
+            *seen |= bits;
+            let first = ((y.wrapping_sub(block.y) << 4) + x.wrapping_sub(block.x)) as u8;
+            if let Some(pixels) = self.pending.pixel.get_mut(n..).and_then(|p| p.first_chunk_mut::<16>()) {
+                for (pixel, column) in pixels.iter_mut().zip(0..) {
+                    *pixel = first.wrapping_add(column);
+                }
+            }
+            self.batch.tex.n = n + take as usize;
+            x += take;
+            len -= take;
+        }
+    }
+
+    /// Closes a block.
+    #[inline]
+    pub fn end_block(&mut self, block: &Block) {
+        if self.batch.tex.n > block.start {
+            self.put_place(block.start, block.place, block.offset);
+        }
     }
 
     /// Appends the pixels of a row where a stipple has a bit: bit 31 belongs to the columns that 32 divides.

@@ -148,18 +148,13 @@ struct Step {
 }
 
 impl Step {
+    #[inline(always)]
     fn new(a: i32, b: i32, c: i64, row: i32) -> Self {
         let (a, b) = (i64::from(a), i64::from(b));
         let e = c + b * i64::from(row);
         let modulus = a.abs().max(1);
-        Self {
-            sign: a.signum(),
-            modulus,
-            quotient: e.div_euclid(modulus),
-            remainder: e.rem_euclid(modulus),
-            quotient_step: b.div_euclid(modulus),
-            remainder_step: b.rem_euclid(modulus),
-        }
+        let ((quotient, remainder), (quotient_step, remainder_step)) = (divide(e, modulus), divide(b, modulus));
+        Self { sign: a.signum(), modulus, quotient, remainder, quotient_step, remainder_step }
     }
 
     /// Cuts the columns of this row down to those inside the edge, and goes on to the next row.
@@ -182,10 +177,32 @@ impl Step {
     }
 }
 
+/// Quotient, rounded down, and remainder of E by a modulus greater than 0. Below 2^53 a float's quotient is right: unless
+/// E / m is whole, it is 1 / m away from the next whole number, and rounding moves it by at most 2^-53 |E| / m.
+#[inline(always)]
+fn divide(e: i64, modulus: i64) -> (i64, i64) {
+    let exact = e as f64 / modulus as f64;
+    let toward_zero = exact as i64;
+    let quotient = toward_zero - i64::from(toward_zero as f64 > exact);
+    (quotient, e - quotient * modulus)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::raster::testing::{Board, Random};
+
+    #[test]
+    fn quotients_are_those_of_whole_numbers() {
+        let mut random = Random(9);
+        for round in 0..200_000 {
+            let m = (random.unit() * f64::from(1u32 << (round % 25 + 1))) as i64 + 1;
+            let near = (random.between(-1.0, 1.0) * 2f64.powi(52)) as i64 / m * m;
+            for e in [near - 1, near, near + 1, near / 3, -m, m - 1, 0] {
+                assert_eq!(divide(e, m), (e.div_euclid(m), e.rem_euclid(m)), "{e} by {m}");
+            }
+        }
+    }
 
     /// Whether a pixel's centre is inside, in 128-bit arithmetic straight from the rule.
     fn inside(p: &[[i32; 2]; 3], x: i32, y: i32) -> bool {
