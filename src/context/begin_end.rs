@@ -61,6 +61,8 @@ impl Engine {
         } else {
             self.draw_collected();
         }
+        // Between commands nobody else writes to the framebuffer.
+        self.queries.passed += self.scene.wait(&mut self.framebuffer);
         Ok(())
     }
 
@@ -88,7 +90,7 @@ impl Engine {
 
     /// Runs the full batch. Where several threads draw, the vertices of a long primitive are collected for them first.
     fn batch_is_full(&mut self) {
-        if self.config.threads > 1 && self.scene.can_be_cut() && self.pipe.collect() {
+        if self.config.threads > 2 && self.scene.can_be_cut() && self.pipe.collect() {
             self.draw_collected();
         } else {
             self.run_vertices();

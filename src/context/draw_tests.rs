@@ -162,6 +162,55 @@ fn a_change_within_a_long_primitive_counts_from_then_on() {
 }
 
 #[test]
+fn what_is_drawn_while_a_primitive_goes_on_is_the_same() {
+    let strips: Vec<u32> = strip().into_iter().chain(strip()).collect();
+    for mode in [GL_TRIANGLE_STRIP, GL_LINE_STRIP] {
+        same(|gl| {
+            gl.enable(GL_LINE_STIPPLE);
+            gl.line_stipple(3, 0x5A5A);
+            issue(gl, mode, &strips, |_, _| {});
+        });
+    }
+}
+
+#[test]
+fn who_looks_between_begin_and_end_sees_what_was_drawn() {
+    let list: Vec<u32> = triangles().into_iter().chain(triangles()).collect();
+    let looks = |threads: usize| {
+        let mut gl = context(threads);
+        gl.set_counting(true);
+        gl.begin_query(GL_SAMPLES_PASSED, 1);
+        let mut looks = Vec::new();
+        issue(&mut gl, GL_TRIANGLES, &list, |gl, i| {
+            if i % 15_000 == 14_999 {
+                looks.push((gl.pixels(), gl.counters().primitives));
+            }
+        });
+        gl.end_query(GL_SAMPLES_PASSED);
+        let mut passed = [0];
+        gl.get_query_objectuiv(1, GL_QUERY_RESULT, &mut passed);
+        looks.push((gl.pixels(), u64::from(passed[0])));
+        looks
+    };
+    let want = looks(1);
+    assert!(want.len() > 3 && want[0] != want[1]);
+    for threads in [2, 5] {
+        assert!(looks(threads) == want, "{threads} threads");
+    }
+    // A context may go while it is being drawn into, and a new size may come.
+    for new_size in [false, true] {
+        let mut gl = context(2);
+        gl.begin(GL_TRIANGLES);
+        for (i, index) in list.iter().chain(&list).enumerate() {
+            if new_size && i == 30_000 {
+                assert_eq!(gl.resize(50, 50), Ok(()));
+            }
+            gl.vertex3fv(&corner(*index as usize % SIDE, *index as usize / SIDE).0);
+        }
+    }
+}
+
+#[test]
 fn a_list_leaves_the_current_values_of_its_commands() {
     let mut gl = context(1);
     gl.new_list(1, GL_COMPILE);

@@ -127,6 +127,8 @@ impl Engine {
         if self.scene.is_full() {
             let passed = self.scene.make_room(&mut self.framebuffer, self.config.threads);
             self.queries.passed += passed;
+        } else if self.inside_begin_end() {
+            self.scene.hand_over(&mut self.framebuffer, self.config.threads);
         }
     }
 

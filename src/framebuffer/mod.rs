@@ -220,6 +220,14 @@ impl Framebuffer {
         Ok(())
     }
 
+    /// Takes the buffers out. What is left knows its size and format and has no pixels.
+    #[must_use]
+    pub fn take(&mut self) -> Self {
+        let Self { width, height, stride, flipped, format, .. } = *self;
+        let rest = Self { width, height, stride, flipped, ..Self::empty(format) };
+        std::mem::replace(self, rest)
+    }
+
     /// Pixels of a row.
     #[must_use]
     pub fn width(&self) -> u32 {

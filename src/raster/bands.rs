@@ -5,7 +5,8 @@
 
 use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
-use super::scene::{Draw, Shader};
+use super::scene::Draw;
+use super::shader::Shader;
 use crate::batch::Level;
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};

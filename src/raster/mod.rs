@@ -17,16 +17,19 @@ mod pool;
 mod rounds;
 mod scene;
 mod setup;
+mod shader;
 mod smooth;
 pub mod state;
 #[cfg(test)]
 mod testing;
 pub mod vertex;
+mod walker;
 mod weights;
 
 pub use geometry::Span;
 pub use rounds::Pieces;
-pub use scene::{Builder, Draw, Scene, Shader};
+pub use scene::{Builder, Draw, Scene};
+pub use shader::Shader;
 pub use state::RasterState;
 
 /// A processed vertex as setup reads it.

@@ -10,126 +10,15 @@ use super::plane::Recipe;
 use super::point::Dot;
 use super::rounds::{Part, Pieces, Round};
 use super::setup::Triangle;
+use super::shader::Shader;
 use super::state::Mode;
+use super::walker::{Empties, Kit, Load, Manner, Walker};
 use super::{RasterState, VertexRef};
 use crate::batch::{LANES, Level};
-use crate::fragment::batch::{FragmentBatch, Segment as Run};
-use crate::fragment::planes::{Layout, PlanePool, Planes};
-use crate::fragment::program::Program;
-use crate::framebuffer::{Band, Framebuffer};
+use crate::framebuffer::Framebuffer;
+use std::mem::take;
+use std::panic::resume_unwind;
 use std::sync::{Arc, RwLock};
-
-/// What a draw does with its fragments.
-pub trait Shader: Send + Sync {
-    /// What it interpolates.
-    fn layout(&self) -> &Layout;
-    /// Whether fragments of one pixel must be worked on in order.
-    fn ordered(&self) -> bool;
-    /// Whether it reads the coverage of each fragment.
-    fn coverage(&self) -> bool;
-    /// Whether nothing can come of drawing: then nothing is set up.
-    fn draws_nothing(&self) -> bool;
-    /// Works on a batch.
-    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>);
-    /// Whether pixels of large areas cost next to nothing.
-    fn is_light(&self) -> bool {
-        false
-    }
-    /// Runs from this length on may be given to [`row`](Self::row).
-    fn row_from(&self) -> u32;
-    /// Works on a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels
-    /// it has done.
-    fn row(
-        &self,
-        batch: &mut FragmentBatch,
-        run: Run,
-        planes: &[Planes],
-        pool: PlanePool<'_>,
-        band: &mut Band<'_>,
-    ) -> u32;
-}
-
-impl<T: Shader> Shader for Arc<T> {
-    fn layout(&self) -> &Layout {
-        (**self).layout()
-    }
-
-    fn ordered(&self) -> bool {
-        (**self).ordered()
-    }
-
-    fn coverage(&self) -> bool {
-        (**self).coverage()
-    }
-
-    fn draws_nothing(&self) -> bool {
-        (**self).draws_nothing()
-    }
-
-    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
-        (**self).run(batch, planes, pool, band);
-    }
-
-    fn is_light(&self) -> bool {
-        (**self).is_light()
-    }
-
-    fn row_from(&self) -> u32 {
-        (**self).row_from()
-    }
-
-    fn row(
-        &self,
-        batch: &mut FragmentBatch,
-        run: Run,
-        planes: &[Planes],
-        pool: PlanePool<'_>,
-        band: &mut Band<'_>,
-    ) -> u32 {
-        (**self).row(batch, run, planes, pool, band)
-    }
-}
-
-impl Shader for Program {
-    fn layout(&self) -> &Layout {
-        &self.layout
-    }
-
-    fn ordered(&self) -> bool {
-        self.reads_framebuffer
-    }
-
-    fn coverage(&self) -> bool {
-        self.coverage
-    }
-
-    fn draws_nothing(&self) -> bool {
-        self.draws_nothing
-    }
-
-    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
-        Program::run(self, batch, planes, pool, band);
-    }
-
-    fn is_light(&self) -> bool {
-        Program::is_light(self)
-    }
-
-    fn row_from(&self) -> u32 {
-        Program::row_from(self)
-    }
-
-    fn row(
-        &self,
-        batch: &mut FragmentBatch,
-        run: Run,
-        planes: &[Planes],
-        pool: PlanePool<'_>,
-        band: &mut Band<'_>,
-    ) -> u32 {
-        Program::row(self, batch, run, planes, pool, band)
-    }
-}
 
 /// One state of the machine as the back end sees it.
 #[derive(Debug)]
@@ -145,6 +34,11 @@ const SMALL: usize = 256 << 10;
 /// The same where the work is shared out: enough for all workers to be busy for some milliseconds, which is long against the
 /// start of a thread, and still within the last cache.
 const LARGE: usize = 4 << 20;
+/// Bytes of small primitives that are worth handing over to a walker: some two thousand triangles, whose walk is long
+/// against waking a thread. With 256 KiB the whole frame takes 9 % longer, with 1 MiB as long.
+const LOAD: usize = 512 << 10;
+/// Pixels of a primitive, on average, up to which a scene is walked in loads; with more, all threads share the walk.
+const FEW: u64 = 32;
 
 /// Draws and primitives that wait for a flush.
 #[derive(Debug)]
@@ -158,6 +52,9 @@ pub struct Scene<P> {
     bins: Vec<Vec<u32>>,
     emitters: Vec<Emitter>,
     parts: Vec<RwLock<Part>>,
+    /// The thread that has the framebuffer, if one has it.
+    walker: Option<Walker<P>>,
+    empties: Empties,
 }
 
 /// What the primitives of a draw are set up with, and where they are kept.
@@ -257,6 +154,8 @@ impl<P: Shader> Scene<P> {
             bins: Vec::new(),
             emitters: Vec::new(),
             parts: Vec::new(),
+            walker: None,
+            empties: Empties::default(),
         }
     }
 
@@ -281,10 +180,10 @@ impl<P: Shader> Scene<P> {
         (self.draws.len() - 1) as u32
     }
 
-    /// Whether nothing waits.
+    /// Whether nothing waits and nothing is being drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.geometry.is_empty()
+        self.geometry.is_empty() && self.walker.is_none()
     }
 
     /// Bytes that the waiting primitives take.
@@ -385,14 +284,69 @@ impl<P: Shader> Scene<P> {
         before + round.run(pieces, owns, framebuffer, &mut self.parts, &mut self.emitters)
     }
 
+    /// Whether another thread has the framebuffer.
+    #[must_use]
+    pub fn is_walking(&self) -> bool {
+        self.walker.is_some()
+    }
+
+    /// Waits for what was [handed over](Self::hand_over): the framebuffer is back. Returns how many fragments passed.
+    pub fn wait(&mut self, framebuffer: &mut Framebuffer) -> u64 {
+        let Some(walker) = self.walker.take() else { return 0 };
+        let kit = walker.wait().unwrap_or_else(|panic| resume_unwind(panic));
+        *framebuffer = kit.framebuffer;
+        (self.emitters, self.bins) = (kit.emitters, kit.bins);
+        if let Some(panic) = kit.panic {
+            resume_unwind(panic);
+        }
+        kit.samples
+    }
+
     fn rasterise(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
+        let before = self.wait(framebuffer);
         self.settle();
         if self.geometry.is_empty() {
-            return 0;
+            return before;
         }
         let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut, level: self.recipe.level() };
         let samples = bands::flush(&flush, framebuffer, threads, &mut self.bins, &mut self.emitters);
         self.geometry.clear();
-        samples
+        before + samples
+    }
+}
+
+impl<P: Shader + 'static> Scene<P> {
+    /// Hands the primitives that wait over to a thread that walks them while others are drawn, if they are many and small
+    /// and the thread has nothing to do. From then on the framebuffer is away, until somebody [waits](Self::wait).
+    pub fn hand_over(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
+        if threads < 2 || self.memory() < LOAD || self.geometry.pixels > FEW * self.geometry.prims.len() as u64 {
+            return;
+        }
+        self.settle();
+        if self.walker.is_none() {
+            self.start_walker(framebuffer, threads - 1);
+        }
+        let Some(walker) = &self.walker else { return };
+        let load = Load { draws: self.draws.clone(), geometry: take(&mut self.geometry) };
+        match walker.hand_over(load) {
+            Ok(empty) => {
+                self.geometry = empty;
+                let passed = self.draws.len().saturating_sub(1);
+                self.draws.drain(..passed);
+            }
+            Err(load) => self.geometry = load.geometry,
+        }
+    }
+
+    fn start_walker(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
+        let (emitters, bins) = (take(&mut self.emitters), take(&mut self.bins));
+        let kit = Kit { framebuffer: framebuffer.take(), emitters, bins, samples: 0, panic: None };
+        match Walker::start(kit, &self.empties, Manner { cut: self.cut, level: self.recipe.level(), threads }) {
+            Ok(walker) => self.walker = Some(walker),
+            Err(kit) => {
+                *framebuffer = kit.framebuffer;
+                (self.emitters, self.bins) = (kit.emitters, kit.bins);
+            }
+        }
     }
 }

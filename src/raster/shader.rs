@@ -1,0 +1,119 @@
+//! What the walk needs to know of a fragment program, so that tests can put something simpler in its place.
+
+use crate::fragment::batch::{FragmentBatch, Segment as Run};
+use crate::fragment::planes::{Layout, PlanePool, Planes};
+use crate::fragment::program::Program;
+use crate::framebuffer::Band;
+use std::sync::Arc;
+
+/// What a draw does with its fragments.
+pub trait Shader: Send + Sync {
+    /// What it interpolates.
+    fn layout(&self) -> &Layout;
+    /// Whether fragments of one pixel must be worked on in order.
+    fn ordered(&self) -> bool;
+    /// Whether it reads the coverage of each fragment.
+    fn coverage(&self) -> bool;
+    /// Whether nothing can come of drawing: then nothing is set up.
+    fn draws_nothing(&self) -> bool;
+    /// Works on a batch.
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>);
+    /// Whether pixels of large areas cost next to nothing.
+    fn is_light(&self) -> bool {
+        false
+    }
+    /// Runs from this length on may be given to [`row`](Self::row).
+    fn row_from(&self) -> u32;
+    /// Works on a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels
+    /// it has done.
+    fn row(
+        &self,
+        batch: &mut FragmentBatch,
+        run: Run,
+        planes: &[Planes],
+        pool: PlanePool<'_>,
+        band: &mut Band<'_>,
+    ) -> u32;
+}
+
+impl<T: Shader> Shader for Arc<T> {
+    fn layout(&self) -> &Layout {
+        (**self).layout()
+    }
+
+    fn ordered(&self) -> bool {
+        (**self).ordered()
+    }
+
+    fn coverage(&self) -> bool {
+        (**self).coverage()
+    }
+
+    fn draws_nothing(&self) -> bool {
+        (**self).draws_nothing()
+    }
+
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
+        (**self).run(batch, planes, pool, band);
+    }
+
+    fn is_light(&self) -> bool {
+        (**self).is_light()
+    }
+
+    fn row_from(&self) -> u32 {
+        (**self).row_from()
+    }
+
+    fn row(
+        &self,
+        batch: &mut FragmentBatch,
+        run: Run,
+        planes: &[Planes],
+        pool: PlanePool<'_>,
+        band: &mut Band<'_>,
+    ) -> u32 {
+        (**self).row(batch, run, planes, pool, band)
+    }
+}
+
+impl Shader for Program {
+    fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    fn ordered(&self) -> bool {
+        self.reads_framebuffer
+    }
+
+    fn coverage(&self) -> bool {
+        self.coverage
+    }
+
+    fn draws_nothing(&self) -> bool {
+        self.draws_nothing
+    }
+
+    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
+        Program::run(self, batch, planes, pool, band);
+    }
+
+    fn is_light(&self) -> bool {
+        Program::is_light(self)
+    }
+
+    fn row_from(&self) -> u32 {
+        Program::row_from(self)
+    }
+
+    fn row(
+        &self,
+        batch: &mut FragmentBatch,
+        run: Run,
+        planes: &[Planes],
+        pool: PlanePool<'_>,
+        band: &mut Band<'_>,
+    ) -> u32 {
+        Program::row(self, batch, run, planes, pool, band)
+    }
+}

@@ -1,0 +1,204 @@
+//! A thread that walks while the scene is still taking primitives. A long Begin/End is one thread's work as far as its
+//! vertices and the setup of its primitives go, since GL calls come one after the other; what is set up can be walked
+//! meanwhile. The scene hands over its primitives load by load, each in a geometry of its own, and with the first the
+//! framebuffer itself, which comes back when the thread is waited for. Loads are walked in the order in which they come,
+//! so a pixel sees the same fragments in the same order as without the thread, and the result is the same to the last bit.
+
+use super::bands::{self, Flush};
+use super::emit::Emitter;
+use super::geometry::Geometry;
+use super::scene::Draw;
+use super::shader::Shader;
+use crate::batch::Level;
+use crate::framebuffer::Framebuffer;
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{Builder, JoinHandle};
+
+/// Primitives that are to be walked, and the draws that they belong to.
+#[derive(Debug)]
+pub(super) struct Load<P> {
+    pub draws: Vec<Arc<Draw<P>>>,
+    pub geometry: Geometry,
+}
+
+/// How loads are walked.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Manner {
+    /// Fragments after which a batch is cut.
+    pub cut: usize,
+    /// What emitters work at.
+    pub level: Level,
+    /// How many threads walk.
+    pub threads: usize,
+}
+
+/// What the thread has while it works.
+#[derive(Debug)]
+pub(super) struct Kit {
+    pub framebuffer: Framebuffer,
+    pub emitters: Vec<Emitter>,
+    pub bins: Vec<Vec<u32>>,
+    /// How many fragments have passed.
+    pub samples: u64,
+    /// The panic that has ended its work.
+    pub panic: Option<Box<dyn Any + Send>>,
+}
+
+impl Kit {
+    /// Walks a load, unless one before it has come to a bad end.
+    fn walk<P: Shader>(&mut self, load: &Load<P>, manner: Manner) {
+        if self.panic.is_some() {
+            return;
+        }
+        let Self { framebuffer, emitters, bins, .. } = self;
+        let flush = Flush { draws: &load.draws, geometry: &load.geometry, cut: manner.cut, level: manner.level };
+        let walk = || bands::flush(&flush, framebuffer, manner.threads, bins, emitters);
+        match catch_unwind(AssertUnwindSafe(walk)) {
+            Ok(samples) => self.samples += samples,
+            Err(panic) => self.panic = Some(panic),
+        }
+    }
+}
+
+/// Geometries that have been walked, for the next loads.
+pub(super) type Empties = Arc<Mutex<Vec<Geometry>>>;
+
+/// The thread, from the side of the scene.
+#[derive(Debug)]
+pub(super) struct Walker<P> {
+    loads: Option<SyncSender<Load<P>>>,
+    empties: Empties,
+    thread: Option<JoinHandle<Option<Kit>>>,
+}
+
+impl<P: Shader + 'static> Walker<P> {
+    /// Starts the thread. Gives the kit back where there can be no more threads.
+    pub fn start(kit: Kit, empties: &Empties, manner: Manner) -> Result<Self, Kit> {
+        let (loads, coming) = sync_channel::<Load<P>>(1);
+        let (first, kits) = sync_channel::<Kit>(1);
+        let (empties, back) = (Arc::clone(empties), Arc::clone(empties));
+        let work = move || Some(work(kits.recv().ok()?, &coming, &back, manner));
+        let Ok(thread) = Builder::new().name("fixedgl walker".into()).spawn(work) else { return Err(kit) };
+        let walker = Self { loads: Some(loads), empties, thread: Some(thread) };
+        // The thread waits for its kit: it is not the closure's own, which is lost where no thread starts.
+        first.send(kit).map_err(|unsent| unsent.0)?;
+        Ok(walker)
+    }
+}
+
+/// What the thread does.
+fn work<P: Shader>(mut kit: Kit, loads: &Receiver<Load<P>>, empties: &Empties, manner: Manner) -> Kit {
+    for mut load in loads {
+        kit.walk(&load, manner);
+        load.geometry.clear();
+        empties.lock().unwrap_or_else(PoisonError::into_inner).push(load.geometry);
+    }
+    kit
+}
+
+impl<P> Walker<P> {
+    /// Hands a load over and gives an empty geometry for the next one. Where the thread has enough to do it gives the load
+    /// back.
+    pub fn hand_over(&self, load: Load<P>) -> Result<Geometry, Load<P>> {
+        let Some(loads) = &self.loads else { return Err(load) };
+        match loads.try_send(load) {
+            Ok(()) => Ok(self.empties.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()),
+            Err(TrySendError::Full(load) | TrySendError::Disconnected(load)) => Err(load),
+        }
+    }
+
+    /// Waits until all is walked. The kit is lost only where the thread has been, for a reason that is given.
+    pub fn wait(mut self) -> Result<Kit, Box<dyn Any + Send>> {
+        self.loads = None;
+        let kit = self.thread.take().map_or(Ok(None), JoinHandle::join)?;
+        kit.ok_or_else(|| -> Box<dyn Any + Send> { Box::new("a walker without a kit") })
+    }
+}
+
+impl<P> Drop for Walker<P> {
+    fn drop(&mut self) {
+        self.loads = None;
+        if let Some(thread) = self.thread.take() {
+            // Who drops a walker does not want its pixels, but its memory must not be drawn into any more.
+            drop(thread.join());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::raster::testing::{Board, Random};
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+
+    /// Small triangles all over a board; after each of them something may be done.
+    fn strew(board: &mut Board, count: usize, mut after: impl FnMut(&mut Board, usize)) {
+        let mut random = Random(11);
+        for i in 0..count {
+            let [x, y] = [0; 2].map(|_| random.between(0.0, 60.0));
+            board.plain([[x, y], [x + 3.0, y + 0.5], [x + 1.0, y + 3.0]]);
+            after(board, i);
+        }
+    }
+
+    fn board(threads: usize) -> Board {
+        Board::new(64, 0, threads, 64, |_| {})
+    }
+
+    fn hand_over(board: &mut Board) {
+        board.scene.hand_over(&mut board.framebuffer, board.threads);
+    }
+
+    #[test]
+    fn what_is_handed_over_is_drawn_once_and_the_framebuffer_comes_back() {
+        let mut alone = board(1);
+        strew(&mut alone, 20_000, |board, _| hand_over(board));
+        assert!(!alone.scene.is_walking(), "there is no other thread");
+        let want = alone.hits();
+        for threads in [2, 3, 8] {
+            let mut shared = board(threads);
+            let mut away = 0;
+            strew(&mut shared, 20_000, |board, i| {
+                if i % 64 == 0 {
+                    hand_over(board);
+                }
+                away += usize::from(board.scene.is_walking());
+                assert_eq!(board.framebuffer.width(), 64);
+            });
+            assert!(away > 1000 && !shared.scene.is_empty());
+            assert!(shared.hits() == want, "{threads} threads");
+            assert!(shared.scene.is_empty());
+        }
+    }
+
+    #[test]
+    fn a_scene_may_be_dropped_while_it_is_walked() {
+        let mut board = board(2);
+        strew(&mut board, 8000, |board, _| hand_over(board));
+        assert!(board.scene.is_walking());
+    }
+
+    #[test]
+    fn a_panic_of_the_walker_comes_to_who_waits_and_the_framebuffer_with_it() {
+        let mut board = board(2);
+        strew(&mut board, 8000, |board, i| {
+            if i == 10 {
+                let seen = &board.draw.program.seen;
+                // From here on the shader panics.
+                let poison = || {
+                    let _seen = seen.lock();
+                    panic!("meant");
+                };
+                std::thread::scope(|scope| drop(scope.spawn(poison).join()));
+            }
+            hand_over(board);
+        });
+        assert!(board.scene.is_walking());
+        let Board { scene, framebuffer, .. } = &mut board;
+        assert!(catch_unwind(AssertUnwindSafe(|| scene.wait(framebuffer))).is_err());
+        assert!(!scene.is_walking());
+        assert_eq!(framebuffer.band().rgba8.len(), 64 * 64);
+    }
+}
