@@ -328,7 +328,7 @@ impl<P: Shader + 'static> Scene<P> {
         }
         let Some(walker) = &self.walker else { return };
         let load = Load { draws: self.draws.clone(), geometry: take(&mut self.geometry) };
-        match walker.hand_over(load) {
+        match walker.hand_over(Box::new(load)) {
             Ok(empty) => {
                 self.geometry = empty;
                 let passed = self.draws.len().saturating_sub(1);
@@ -341,7 +341,8 @@ impl<P: Shader + 'static> Scene<P> {
     fn start_walker(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
         let (emitters, bins) = (take(&mut self.emitters), take(&mut self.bins));
         let kit = Kit { framebuffer: framebuffer.take(), emitters, bins, samples: 0, panic: None };
-        match Walker::start(kit, &self.empties, Manner { cut: self.cut, level: self.recipe.level(), threads }) {
+        match Walker::start(Box::new(kit), &self.empties, Manner { cut: self.cut, level: self.recipe.level(), threads })
+        {
             Ok(walker) => self.walker = Some(walker),
             Err(kit) => {
                 *framebuffer = kit.framebuffer;

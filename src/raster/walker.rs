@@ -69,16 +69,16 @@ pub(super) type Empties = Arc<Mutex<Vec<Geometry>>>;
 /// The thread, from the side of the scene.
 #[derive(Debug)]
 pub(super) struct Walker<P> {
-    loads: Option<SyncSender<Load<P>>>,
+    loads: Option<SyncSender<Box<Load<P>>>>,
     empties: Empties,
-    thread: Option<JoinHandle<Option<Kit>>>,
+    thread: Option<JoinHandle<Option<Box<Kit>>>>,
 }
 
 impl<P: Shader + 'static> Walker<P> {
     /// Starts the thread. Gives the kit back where there can be no more threads.
-    pub fn start(kit: Kit, empties: &Empties, manner: Manner) -> Result<Self, Kit> {
-        let (loads, coming) = sync_channel::<Load<P>>(1);
-        let (first, kits) = sync_channel::<Kit>(1);
+    pub fn start(kit: Box<Kit>, empties: &Empties, manner: Manner) -> Result<Self, Box<Kit>> {
+        let (loads, coming) = sync_channel::<Box<Load<P>>>(1);
+        let (first, kits) = sync_channel::<Box<Kit>>(1);
         let (empties, back) = (Arc::clone(empties), Arc::clone(empties));
         let work = move || Some(work(kits.recv().ok()?, &coming, &back, manner));
         let Ok(thread) = Builder::new().name("fixedgl walker".into()).spawn(work) else { return Err(kit) };
@@ -90,7 +90,7 @@ impl<P: Shader + 'static> Walker<P> {
 }
 
 /// What the thread does.
-fn work<P: Shader>(mut kit: Kit, loads: &Receiver<Load<P>>, empties: &Empties, manner: Manner) -> Kit {
+fn work<P: Shader>(mut kit: Box<Kit>, loads: &Receiver<Box<Load<P>>>, empties: &Empties, manner: Manner) -> Box<Kit> {
     for mut load in loads {
         kit.walk(&load, manner);
         load.geometry.clear();
@@ -102,7 +102,7 @@ fn work<P: Shader>(mut kit: Kit, loads: &Receiver<Load<P>>, empties: &Empties, m
 impl<P> Walker<P> {
     /// Hands a load over and gives an empty geometry for the next one. Where the thread has enough to do it gives the load
     /// back.
-    pub fn hand_over(&self, load: Load<P>) -> Result<Geometry, Load<P>> {
+    pub fn hand_over(&self, load: Box<Load<P>>) -> Result<Geometry, Box<Load<P>>> {
         let Some(loads) = &self.loads else { return Err(load) };
         match loads.try_send(load) {
             Ok(()) => Ok(self.empties.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()),
@@ -111,7 +111,7 @@ impl<P> Walker<P> {
     }
 
     /// Waits until all is walked. The kit is lost only where the thread has been, for a reason that is given.
-    pub fn wait(mut self) -> Result<Kit, Box<dyn Any + Send>> {
+    pub fn wait(mut self) -> Result<Box<Kit>, Box<dyn Any + Send>> {
         self.loads = None;
         let kit = self.thread.take().map_or(Ok(None), JoinHandle::join)?;
         kit.ok_or_else(|| -> Box<dyn Any + Send> { Box::new("a walker without a kit") })
