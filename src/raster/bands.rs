@@ -186,13 +186,22 @@ impl<P: Shader> Flush<'_, P> {
             Cover::Edges(i) => {
                 let Some(edges) = geometry.edges.get(i as usize) else { return };
                 match stipple {
-                    None if to.takes_blocks() => {
-                        let mut block = to.block(edges.rect.x0, edges.rect.y0);
-                        edges.spans(rows.clone(), |x, y, len| to.block_run(&mut block, x, y, len, sink));
-                        to.end_block(&block);
-                    }
                     None => edges.spans(rows.clone(), |x, y, len| to.run(x, y, len, 1.0, sink)),
                     Some(pattern) => edges.spans(rows.clone(), |x, y, len| {
+                        to.stippled(x, y, len, pattern[y as usize & 31], 1.0, sink);
+                    }),
+                }
+            }
+            Cover::Rows(i) => {
+                let Some(block) = geometry.blocks.get(i as usize) else { return };
+                match stipple {
+                    None if !to.smooth => {
+                        let mut place = to.block(block.x, block.y);
+                        block.spans(rows, |x, y, len| to.block_run(&mut place, x, y, len, sink));
+                        to.end_block(&place);
+                    }
+                    None => block.spans(rows, |x, y, len| to.run(x, y, len, 1.0, sink)),
+                    Some(pattern) => block.spans(rows, |x, y, len| {
                         to.stippled(x, y, len, pattern[y as usize & 31], 1.0, sink);
                     }),
                 }

@@ -283,12 +283,6 @@ impl Emitter {
         }
     }
 
-    /// Whether the primitive lies within 16 by 16 pixels and may come as a block.
-    #[inline]
-    pub fn takes_blocks(&self) -> bool {
-        self.grouped && !self.smooth
-    }
-
     /// Begins a block of 16 by 16 pixels, whose runs [`block_run`](Self::block_run) appends and [`end_block`](Self::end_block)
     /// closes; nothing else is appended in between.
     #[inline]

@@ -7,6 +7,7 @@ use super::plane::Recipe;
 use super::point::Disc;
 use super::polygon::Edges;
 use super::pool::Pool;
+use super::rows::Rows;
 use super::smooth::Outline;
 use super::state::Rect;
 use crate::fragment::planes::{Linear, Planes};
@@ -25,6 +26,8 @@ pub enum Cover {
     },
     /// A triangle by its edges: an index of [`Geometry::edges`].
     Edges(u32),
+    /// A triangle of at most 16 by 16 pixels by its rows: an index of [`Geometry::blocks`].
+    Rows(u32),
     /// An aliased line: an index of [`Geometry::lines`].
     Line(u32),
     /// Pixels of a rectangle, all of them (an aliased point).
@@ -75,6 +78,8 @@ pub struct Geometry {
     pub(super) group: Box<Group>,
     /// Triangles that are not small.
     pub edges: Vec<Edges>,
+    /// Triangles between those two.
+    pub blocks: Vec<Rows>,
     /// Aliased lines.
     pub lines: Vec<Line>,
     /// Smooth points.
@@ -105,6 +110,7 @@ impl Geometry {
         self.planes.clear();
         self.pool.clear();
         self.edges.clear();
+        self.blocks.clear();
         self.lines.clear();
         self.discs.clear();
         self.outlines.clear();
@@ -122,6 +128,7 @@ impl Geometry {
             + bytes(&self.planes)
             + self.pool.memory()
             + bytes(&self.edges)
+            + bytes(&self.blocks)
             + bytes(&self.lines)
             + bytes(&self.discs)
             + bytes(&self.outlines)
@@ -147,6 +154,7 @@ impl Geometry {
                 y + low..y + high + 1
             }
             Cover::Edges(i) => self.edges.get(i as usize).map_or(0..0, |e| of(&e.rect)),
+            Cover::Rows(i) => self.blocks.get(i as usize).map_or(0..0, Rows::range),
             Cover::Line(i) => self.lines.get(i as usize).map_or(0..0, |l| of(&l.rect)),
             Cover::Rect(rect) => of(&rect),
             Cover::Disc(i) => self.discs.get(i as usize).map_or(0..0, |d| of(&d.rect)),

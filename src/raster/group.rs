@@ -7,9 +7,10 @@
 //! their number is no multiple of 4 (then some are in two quads).
 
 use super::VertexRef;
-use super::geometry::{Context, Cover, Geometry};
+use super::geometry::{Context, Cover, Geometry, index};
 use super::group_planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
 use super::masks::Ints;
+use super::rows::{Ends, ROWS, Rows};
 use super::setup::{Triangle, clip_mask};
 use super::state::{Mode, Rect};
 use super::vertex::Vertex;
@@ -38,6 +39,8 @@ pub(super) struct Group {
     pub cut: Ints,
     /// The result: covered pixels, before clipping.
     pub bits: [u64; GROUP],
+    /// The rows of triangles that are too large for that.
+    pub ends: Ends,
     pub area: Ints,
     pub origin: [Ints; 2],
     pub z: Linears,
@@ -60,6 +63,7 @@ impl Default for Group {
             kind: [NOTHING; GROUP],
             cut: [0; GROUP],
             bits: [0; GROUP],
+            ends: [[0; GROUP]; ROWS],
             area: [0; GROUP],
             origin: [[0; GROUP]; 2],
             z: Linears::default(),
@@ -220,11 +224,12 @@ impl Geometry {
             }
             (Cover::Mask { x, y, bits }, u64::from(bits.count_ones()))
         } else {
-            let mut p = [0, 1, 2].map(|corner: usize| [0, 1].map(|k: usize| group.snapped[corner][k][lane]));
-            if group.area[lane] < 0 {
-                p.swap(1, 2);
+            let (rows, pixels) = Rows::new(&group.ends, lane, [x, y], bounds.and(cx.rs.area));
+            if pixels == 0 {
+                return false;
             }
-            self.edges(&p, bounds.and(cx.rs.area))
+            self.blocks.push(rows);
+            (Cover::Rows(index(self.blocks.len() - 1)), pixels)
         };
         let group = &*self.group;
         let planes = if group.odd[lane].is_nan() {

@@ -8,6 +8,7 @@
 use super::coordinate::{LIMIT, whole_periods};
 use super::group::{Group, quad_of};
 use super::masks::masks;
+use super::rows::{ROWS, rows};
 use super::setup::LIMIT as LIMIT_OF_POSITIONS;
 use super::state::Rect;
 use super::weights::range;
@@ -85,14 +86,14 @@ pub(super) struct View {
     pub offset: Option<[f64; 2]>,
 }
 
-/// What becomes of a triangle: it covers nothing, is a member of the group with a mask, or with edges since it is too large
+/// What becomes of a triangle: it covers nothing, is a member of the group with a mask, or with rows since it is too large
 /// for a mask, or must be set up alone since it is larger still.
 pub(super) const NOTHING: i32 = 0;
 pub(super) const MASK: i32 = 1;
-pub(super) const EDGES: i32 = 2;
+pub(super) const BLOCK: i32 = 2;
 pub(super) const ALONE: i32 = 3;
 /// The largest bounding box of a member: its runs of pixels are too short to be worth more than lanes of a batch.
-const MOST: i32 = 16;
+const MOST: i32 = ROWS as i32;
 
 /// Window x, y, z and w of each corner.
 type Places = [[Floats; 4]; 3];
@@ -111,10 +112,19 @@ fn lanes<T: Copy>(quads: &[[[T; 4]; GROUP]; 3], out: &mut [[[T; GROUP]; 4]; 3]) 
 /// Sets up a group: masks, and planes in one place a slot.
 pub(super) type GroupFn = unsafe fn(&mut Group, &Rules, &View, &mut [PlaneGroup]);
 
-/// Bounding boxes, areas, and what becomes of each triangle. Returns the largest width and height of masks, and whether
-/// there are members.
+/// What the members of a group are like.
+struct Members {
+    /// The largest width and height of masks.
+    masks: [u32; 2],
+    /// The most rows of the others.
+    rows: u32,
+    /// Whether there are any.
+    any: bool,
+}
+
+/// Bounding boxes, areas, and what becomes of each triangle.
 #[inline(always)]
-fn sort(group: &mut Group, view: &View) -> ([u32; 2], bool) {
+fn sort(group: &mut Group, view: &View) -> Members {
     let Group { snapped: p, first, last, area, kind, cut, .. } = group;
     for i in 0..GROUP {
         // What is not within the limit comes to nothing: three times the same corner.
@@ -136,7 +146,7 @@ fn sort(group: &mut Group, view: &View) -> ([u32; 2], bool) {
             last[k][i] = (a.max(b).max(c) + 128) >> 8;
         }
     }
-    let (mut width, mut height, mut members) = (0, 0, 0);
+    let (mut width, mut height, mut rows, mut members) = (0, 0, 0, 0);
     let [positive, other] = view.culls;
     for i in 0..GROUP {
         let side = |k: usize, c: usize| p[c][k][i] - p[0][k][i];
@@ -149,16 +159,17 @@ fn sort(group: &mut Group, view: &View) -> ([u32; 2], bool) {
         let seen = (x0.max(r.x0) < x1.min(r.x1)) & (y0.max(r.y0) < y1.min(r.y1));
         let culled = ((area[i] > 0) & positive) | ((area[i] <= 0) & other);
         let nothing = !seen | (member & (culled | (area[i] == 0)));
-        let size = if small { MASK } else { EDGES };
+        let size = if small { MASK } else { BLOCK };
         let size = if member { size } else { ALONE };
         let size = if nothing { NOTHING } else { size };
         kind[i] = size;
         cut[i] = i32::from((x0 < r.x0) | (y0 < r.y0) | (x1 > r.x1) | (y1 > r.y1));
         width = width.max(if size == MASK { x } else { 0 });
         height = height.max(if size == MASK { y } else { 0 });
-        members |= i32::from((size == MASK) | (size == EDGES));
+        rows = rows.max(if size == BLOCK { y } else { 0 });
+        members |= i32::from((size == MASK) | (size == BLOCK));
     }
-    ([width.unsigned_abs(), height.unsigned_abs()], members != 0)
+    Members { masks: [width, height].map(i32::unsigned_abs), rows: rows.unsigned_abs(), any: members != 0 }
 }
 
 /// The pixels that positions are relative to.
@@ -375,14 +386,17 @@ fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
 stage! {
     /// Masks and planes of a group.
     pub(super) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, view: &View, out: &mut [PlaneGroup]) {
-        let (largest, members) = sort(group, view);
-        if !members {
+        let members = sort(group, view);
+        if !members.any {
             return;
         }
         let (mut place, mut odd) = ([[ZERO; 4]; 3], ZERO);
         lanes(&group.place, &mut place);
         origins(group, &place);
-        masks(&group.snapped, &group.area, &group.first, largest, &mut group.bits);
+        masks(&group.snapped, &group.area, &group.first, members.masks, &mut group.bits);
+        if members.rows > 0 {
+            rows(&group.snapped, &group.area, &group.first, members.rows, &mut group.ends);
+        }
         depths(group, &place, view, &mut odd);
         bases(group, &place, &mut odd);
         let count = rules.slots.len();

@@ -15,6 +15,7 @@ mod point;
 mod polygon;
 mod pool;
 mod rounds;
+mod rows;
 mod scene;
 mod setup;
 mod shader;

@@ -1,0 +1,168 @@
+//! The rows of a group's triangles that are too large for masks, a triangle a lane (OpenGL 1.5, section 3.5.1): within 16
+//! by 16 pixels, where the covered pixels of each row begin and end. It is the walk of [`polygon`], with the same whole
+//! numbers, for sixteen triangles at once: an edge crosses a row at a quotient, which goes from row to row by adding its
+//! step and, when the remainder is full, one more.
+//!
+//! [`polygon`]: super::polygon
+
+use super::masks::Ints;
+use super::state::Rect;
+use crate::fragment::planes::GROUP;
+
+/// Rows of a triangle, and columns.
+pub(super) const ROWS: usize = 16;
+
+/// For each row and triangle: its first covered column, and 256 times the one after its last.
+pub(super) type Ends = [[u16; GROUP]; ROWS];
+
+/// The covered pixels of a triangle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rows {
+    /// The pixel that columns and rows count from.
+    pub x: i32,
+    /// Its row.
+    pub y: i32,
+    /// The first row in use, and the one after the last.
+    pub used: [u8; 2],
+    /// The first column of each row, and the one after the last.
+    pub ends: [[u8; 2]; ROWS],
+}
+
+impl Rows {
+    /// Those of a triangle of a group, as far as they lie in a rectangle; `area` is about the rectangle, `bounds` what
+    /// both have in common. Also how many pixels that is.
+    #[inline]
+    pub(super) fn new(ends: &Ends, lane: usize, [x, y]: [i32; 2], bounds: Rect) -> (Self, u64) {
+        let column = |at: i32| at.wrapping_sub(x).clamp(0, ROWS as i32) as u8;
+        let row = |at: i32| at.wrapping_sub(y).clamp(0, ROWS as i32) as u8;
+        let (left, right) = (column(bounds.x0), column(bounds.x1));
+        let mut rows = Self { x, y, used: [row(bounds.y0), row(bounds.y1)], ends: [[0; 2]; ROWS] };
+        let mut pixels = 0;
+        let used = usize::from(rows.used[0])..usize::from(rows.used[1]);
+        for (to, from) in rows.ends.iter_mut().zip(ends).take(used.end).skip(used.start) {
+            let [first, end] = from[lane % GROUP].to_le_bytes();
+            let (first, end) = (first.max(left), end.min(right));
+            *to = [first, end];
+            pixels += u64::from(end.saturating_sub(first));
+        }
+        (rows, pixels)
+    }
+
+    /// The rows in use, in pixels of the window.
+    #[must_use]
+    pub fn range(&self) -> std::ops::Range<i32> {
+        self.y + i32::from(self.used[0])..self.y + i32::from(self.used[1])
+    }
+
+    /// Calls `run(x, y, length)` for the covered pixels of each row in `rows`, from below.
+    #[inline]
+    pub fn spans(&self, rows: &std::ops::Range<i32>, mut run: impl FnMut(i32, i32, i32)) {
+        let from = i32::from(self.used[0]).max(rows.start.saturating_sub(self.y));
+        let to = i32::from(self.used[1]).min(rows.end.saturating_sub(self.y));
+        for j in from..to {
+            let [first, end] = self.ends[j as usize % ROWS].map(i32::from);
+            if first < end {
+                run(self.x + first, self.y + j, end - first);
+            }
+        }
+    }
+}
+
+/// An edge of each triangle: the quotient of its function in a row by |a|, kept exact with its remainder.
+struct Step {
+    /// All ones where the inside lies to the right; where it lies to the left; where the edge crosses no row.
+    right: Ints,
+    left: Ints,
+    level: Ints,
+    modulus: Ints,
+    quotient: Ints,
+    remainder: Ints,
+    quotient_step: Ints,
+    remainder_step: Ints,
+}
+
+/// 1.5 * 2^52: what is added to it and taken off again is rounded to a whole number, which is the low half of the sum's bits.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+
+/// Quotients, rounded down, and remainders. A float's quotient of two integers of 32 bits is rounded down to the right one:
+/// unless it is whole, it is farther away from the next whole number than it is rounded.
+#[inline(always)]
+fn divide(e: &Ints, modulus: &Ints) -> (Ints, Ints) {
+    let (mut quotient, mut remainder) = ([0; GROUP], [0; GROUP]);
+    for i in 0..GROUP {
+        let exact = f64::from(e[i]) / f64::from(modulus[i]);
+        let sum = exact + WHOLE;
+        quotient[i] = (sum.to_bits() as i32).wrapping_sub(i32::from(sum - WHOLE > exact));
+        remainder[i] = e[i].wrapping_sub(quotient[i].wrapping_mul(modulus[i]));
+    }
+    (quotient, remainder)
+}
+
+impl Step {
+    /// The edge between two corners of triangles that wind counter-clockwise where `turn` is 0; where it is all ones,
+    /// they wind clockwise and the edge runs the other way. `first` is the pixel where rows and columns begin.
+    #[inline(always)]
+    fn new(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2]) -> Self {
+        let zero = [0; GROUP];
+        let [mut e, mut b] = [zero; 2];
+        let [mut right, mut left, mut level, mut modulus] = [zero; 4];
+        for i in 0..GROUP {
+            // E = b (y - py) + a (x - px) vanishes on the whole edge, so that either end will do for p.
+            let (da, db) = (p[1][i] - q[1][i], q[0][i] - p[0][i]);
+            let (a, to) = ((da ^ turn[i]) - turn[i], (db ^ turn[i]) - turn[i]);
+            let (x, y) = ((first[0][i] << 8) + 128 - p[0][i], (first[1][i] << 8) + 128 - p[1][i]);
+            let inclusive = (a > 0) | ((a == 0) & (to < 0));
+            e[i] = to.wrapping_mul(y).wrapping_add(a.wrapping_mul(x)).wrapping_sub(i32::from(!inclusive)) >> 8;
+            b[i] = to;
+            (right[i], left[i], level[i]) = (-i32::from(a > 0), -i32::from(a < 0), -i32::from(a == 0));
+            modulus[i] = a.abs().max(1);
+        }
+        let ((quotient, remainder), (quotient_step, remainder_step)) = (divide(&e, &modulus), divide(&b, &modulus));
+        Self { right, left, level, modulus, quotient, remainder, quotient_step, remainder_step }
+    }
+
+    /// Cuts the columns of this row down to those inside the edge, and goes on to the next row.
+    #[inline(always)]
+    fn narrow(&mut self, low: &mut Ints, high: &mut Ints) {
+        const END: i32 = ROWS as i32;
+        for i in 0..GROUP {
+            let q = self.quotient[i];
+            // a x + E >= 0  <=>  x >= ceil(-E / a) = -floor(E / a)
+            low[i] = low[i].max(q.wrapping_neg() & self.right[i]);
+            // x <= floor(E / -a); an edge along the row has all of it inside, or nothing.
+            let along = END & !(q >> 31);
+            let end = (q.wrapping_add(1) & self.left[i]) | (along & self.level[i]) | (END & self.right[i]);
+            high[i] = high[i].min(end);
+            let full = self.remainder[i].wrapping_add(self.remainder_step[i]);
+            let over = -i32::from(full >= self.modulus[i]);
+            self.remainder[i] = full.wrapping_sub(self.modulus[i] & over);
+            self.quotient[i] = q.wrapping_add(self.quotient_step[i]).wrapping_sub(over);
+        }
+    }
+}
+
+/// The first `count` rows of triangles by their corners' snapped positions, from the pixel `first` on, which is the first
+/// one of the bounding box. `area` is positive where a triangle winds counter-clockwise. Of triangles that are larger than
+/// 16 by 16 anything may come out.
+#[inline(always)]
+pub(super) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u32, out: &mut Ends) {
+    let mut turn = [0; GROUP];
+    for i in 0..GROUP {
+        turn[i] = area[i] >> 31;
+    }
+    let mut steps = [
+        Step::new(&p[0], &p[1], &turn, first),
+        Step::new(&p[1], &p[2], &turn, first),
+        Step::new(&p[2], &p[0], &turn, first),
+    ];
+    for row in out.iter_mut().take(count as usize) {
+        let (mut low, mut high) = ([0; GROUP], [ROWS as i32; GROUP]);
+        for step in &mut steps {
+            step.narrow(&mut low, &mut high);
+        }
+        for i in 0..GROUP {
+            let first = low[i].min(ROWS as i32);
+            row[i] = (first | high[i].max(first) << 8) as u16;
+        }
+    }
+}
