@@ -195,14 +195,11 @@ impl<P: Shader> Flush<'_, P> {
             Cover::Rows(i) => {
                 let Some(block) = geometry.blocks.get(i as usize) else { return };
                 match stipple {
-                    None if !to.smooth => {
-                        let mut place = to.block(block.x, block.y);
-                        block.spans(rows, |x, y, len| to.block_run(&mut place, x, y, len, sink));
-                        to.end_block(&place);
-                    }
-                    None => block.spans(rows, |x, y, len| to.run(x, y, len, 1.0, sink)),
-                    Some(pattern) => block.spans(rows, |x, y, len| {
-                        to.stippled(x, y, len, pattern[y as usize & 31], 1.0, sink);
+                    None if !to.smooth => to.block([block.x, block.y], block.runs(rows), sink),
+                    None => block.runs(rows).for_each(|[x, y, len]| to.run(block.x + x, block.y + y, len, 1.0, sink)),
+                    Some(pattern) => block.runs(rows).for_each(|[x, y, len]| {
+                        let y = block.y + y;
+                        to.stippled(block.x + x, y, len, pattern[y as usize & 31], 1.0, sink);
                     }),
                 }
             }

@@ -38,18 +38,6 @@ struct Pending {
     step: u32,
 }
 
-/// A block of 16 by 16 pixels that is being appended.
-#[derive(Debug)]
-pub struct Block {
-    x: i32,
-    y: i32,
-    /// Relative to the primitive's origin.
-    place: [i32; 2],
-    offset: u32,
-    /// The first lane.
-    start: usize,
-}
-
 /// Writes offsets and positions of all dense lanes of a batch.
 type SpreadFn = unsafe fn(&Pending, &mut FragmentBatch);
 
@@ -252,16 +240,18 @@ impl Emitter {
         if self.smooth {
             b.coverage.iter_mut().take(n).skip(start).for_each(|coverage| *coverage = 1.0);
         }
-        b.tex.n = n;
-        self.put_place(start, [x, y], offset);
+        self.put_place(start, n, [x, y], offset);
         rest
     }
 
-    /// Says where the lanes from `start` to the batch's last are: at a place, relative to the primitive's origin.
+    /// Says where the new lanes from `start` to `n` are: at a place, relative to the primitive's origin.
     #[inline]
-    fn put_place(&mut self, start: usize, [x, y]: [i32; 2], offset: u32) {
+    fn put_place(&mut self, start: usize, n: usize, [x, y]: [i32; 2], offset: u32) {
+        if start >= n {
+            return;
+        }
         let (b, p) = (&mut *self.batch, &mut *self.pending);
-        let n = b.tex.n;
+        b.tex.n = n;
         // Eight lanes at a time, so that the few of most triangles need no loop.
         let mut at = start;
         while at < n {
@@ -283,48 +273,37 @@ impl Emitter {
         }
     }
 
-    /// Begins a block of 16 by 16 pixels, whose runs [`block_run`](Self::block_run) appends and [`end_block`](Self::end_block)
-    /// closes; nothing else is appended in between.
+    /// Appends runs (column, row, length) of a block of 16 by 16 pixels, counted from the pixel (x, y), without coverage.
     #[inline]
-    pub fn block(&self, x: i32, y: i32) -> Block {
+    pub fn block(&mut self, [x, y]: [i32; 2], runs: impl Iterator<Item = [i32; 3]>, sink: &mut impl Sink) {
         let place = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
-        Block { x, y, place, offset: self.offset(x, y), start: self.batch.tex.n }
-    }
-
-    /// Appends a run of pixels of a block, without coverage.
-    #[inline]
-    pub fn block_run(&mut self, block: &mut Block, x: i32, y: i32, len: i32, sink: &mut impl Sink) {
-        let (mut x, mut len) = (x, len.min(BLOCK));
-        while len > 0 {
-            let n = self.batch.tex.n;
-            let take = len.min((self.cut - n.min(self.cut)) as i32);
-            let bits = (u64::MAX >> (64 - take.max(1))).rotate_left(x as u32 & 63);
-            let seen = &mut self.seen[y as usize & 63];
-            if take == 0 || (self.ordered && *seen & bits != 0) {
-                self.end_block(block);
-                self.finish(sink);
-                block.start = 0;
-                continue;
-            }
-            *seen |= bits;
-            let first = ((y.wrapping_sub(block.y) << 4) + x.wrapping_sub(block.x)) as u8;
-            if let Some(pixels) = self.pending.pixel.get_mut(n..).and_then(|p| p.first_chunk_mut::<16>()) {
-                for (pixel, column) in pixels.iter_mut().zip(0..) {
-                    *pixel = first.wrapping_add(column);
+        let offset = self.offset(x, y);
+        let (mut start, mut n) = (self.batch.tex.n, self.batch.tex.n);
+        for [column, row, len] in runs {
+            let (mut column, mut len) = (column, len.min(BLOCK));
+            while len > 0 {
+                let take = len.min((self.cut - n.min(self.cut)) as i32);
+                let bits = (u64::MAX >> (64 - take.max(1))).rotate_left((x + column) as u32 & 63);
+                let seen = &mut self.seen[(y + row) as usize & 63];
+                if take == 0 || (self.ordered && *seen & bits != 0) {
+                    self.put_place(start, n, place, offset);
+                    self.finish(sink);
+                    (start, n) = (0, 0);
+                    continue;
                 }
+                *seen |= bits;
+                let first = (16 * row + column) as u8;
+                if let Some(pixels) = self.pending.pixel.get_mut(n..).and_then(|p| p.first_chunk_mut::<16>()) {
+                    for (pixel, column) in pixels.iter_mut().zip(0..) {
+                        *pixel = first.wrapping_add(column);
+                    }
+                }
+                n += take as usize;
+                column += take;
+                len -= take;
             }
-            self.batch.tex.n = n + take as usize;
-            x += take;
-            len -= take;
         }
-    }
-
-    /// Closes a block.
-    #[inline]
-    pub fn end_block(&mut self, block: &Block) {
-        if self.batch.tex.n > block.start {
-            self.put_place(block.start, block.place, block.offset);
-        }
+        self.put_place(start, n, place, offset);
     }
 
     /// Appends the pixels of a row where a stipple has a bit: bit 31 belongs to the columns that 32 divides.

@@ -54,17 +54,13 @@ impl Rows {
         self.y + i32::from(self.used[0])..self.y + i32::from(self.used[1])
     }
 
-    /// Calls `run(x, y, length)` for the covered pixels of each row in `rows`, from below.
+    /// The runs of covered pixels (column, row, length) in some rows of the window, from below.
     #[inline]
-    pub fn spans(&self, rows: &std::ops::Range<i32>, mut run: impl FnMut(i32, i32, i32)) {
+    pub fn runs(&self, rows: &std::ops::Range<i32>) -> impl Iterator<Item = [i32; 3]> {
         let from = i32::from(self.used[0]).max(rows.start.saturating_sub(self.y));
         let to = i32::from(self.used[1]).min(rows.end.saturating_sub(self.y));
-        for j in from..to {
-            let [first, end] = self.ends[j as usize % ROWS].map(i32::from);
-            if first < end {
-                run(self.x + first, self.y + j, end - first);
-            }
-        }
+        let used = self.ends.iter().zip(0..).take(to.max(0) as usize).skip(from.max(0) as usize);
+        used.map(|([first, end], row)| [i32::from(*first), row, i32::from(*end) - i32::from(*first)])
     }
 }
 
