@@ -76,6 +76,29 @@ pub(super) fn compare<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; 
     }
 }
 
+/// Whether `a func b` holds in all lanes: cheaper to find out than in which ones, and so it is as a rule.
+#[inline(always)]
+pub(super) fn holds<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; N], b: &[T; N]) -> bool {
+    #[inline(always)]
+    fn each<T: Copy, const N: usize>(a: &[T; N], b: &[T; N], test: impl Fn(T, T) -> bool) -> bool {
+        let mut all = true;
+        for i in 0..N {
+            all &= test(a[i], b[i]);
+        }
+        all
+    }
+    match func {
+        Func::Never => false,
+        Func::Less => each(a, b, |a, b| a < b),
+        Func::Equal => each(a, b, |a, b| a == b),
+        Func::Lequal => each(a, b, |a, b| a <= b),
+        Func::Greater => each(b, a, |a, b| a < b),
+        Func::Notequal => each(a, b, |a, b| a != b),
+        Func::Gequal => each(b, a, |a, b| a <= b),
+        Func::Always => true,
+    }
+}
+
 /// How many lanes are alive. The one way to ask: two reductions of other kinds over one mask (one of `|`, one of `&`) are
 /// compiled lane by lane.
 #[inline(always)]
@@ -123,6 +146,10 @@ mod tests {
             compare(func, &a, &b, &mut mask);
             for i in 0..LANES {
                 assert_eq!(mask[i] != 0, pass[func as usize](a[i], b[i]), "{func:?} {} {}", a[i], b[i]);
+            }
+            assert_eq!(holds(func, &a, &b), mask == [u32::MAX; LANES], "{func:?}");
+            for (a, b) in [(1, 2), (2, 2), (2, 1)] {
+                assert_eq!(holds(func, &[a; LANES], &[b; LANES]), pass[func as usize](a, b), "{func:?} {a} {b}");
             }
             assert_eq!(Func::from_enum(Func::ENUMERANTS[func as usize]), func);
         }

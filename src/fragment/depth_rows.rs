@@ -5,7 +5,7 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::{fresh_mask, write};
-use super::compare::{Func, compare, living};
+use super::compare::{Func, compare, holds, living};
 use super::depth::{WRITE, depths, quantise, test};
 use super::planes::Linear;
 use super::segments::{IOTA, ones, row_origin, single_row};
@@ -138,14 +138,21 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
     // they have reached the cache.
     let mut z = [0; LANES];
     slope.depths(x, &mut z);
-    let mut mask = lanes(n as usize);
-    compare(func, &z, depth, &mut mask);
-    let living = living(&mask);
     b.tex.n = n as usize;
     b.dense = false;
-    b.alive = living != 0;
+    if n == LANES as u32 && holds(func, &z, depth) {
+        b.alive = true;
+        if arg & WRITE != 0 {
+            *depth = z;
+        }
+        (b.z, b.tex.mask) = (z, [u32::MAX; LANES]);
+        return true;
+    }
+    let mut mask = lanes(n as usize);
+    compare(func, &z, depth, &mut mask);
+    b.alive = living(&mask) != 0;
     if arg & WRITE != 0 && b.alive {
-        write(living == LANES as u32, &mask, &z, depth);
+        write(false, &mask, &z, depth);
     }
     (b.z, b.tex.mask) = (z, mask);
     true

@@ -5,7 +5,7 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::write;
-use super::compare::{Func, compare, living};
+use super::compare::{Func, compare, holds, living};
 use super::depth::WRITE;
 use super::depth_rows::{Slope, coarse, hidden, lanes, look};
 use super::fill_texels::texels;
@@ -25,16 +25,25 @@ const SHORT: usize = 16;
 
 /// What gives a run its colours.
 pub(super) trait Source {
-    /// Writes the pixels from x on, relative to the primitive's origin, where the mask is set; if `full` says so, all.
-    fn store<const N: usize>(&self, x: i32, full: bool, mask: &[u32; N], to: &mut [u32; N]);
+    /// Writes the pixels from x on, relative to the primitive's origin.
+    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]);
+    /// The same where the mask is set.
+    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]);
 }
 
 impl Source for Paint {
     #[inline(always)]
-    fn store<const N: usize>(&self, x: i32, full: bool, mask: &[u32; N], to: &mut [u32; N]) {
+    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
         let mut packed = [0; N];
         self.pixels(x, &mut packed);
-        write(full, mask, &packed, to);
+        *to = packed;
+    }
+
+    #[inline(always)]
+    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
+        let mut packed = [0; N];
+        self.pixels(x, &mut packed);
+        write(false, mask, &packed, to);
     }
 }
 
@@ -60,8 +69,6 @@ impl<S: Source> Run<S> {
     /// origin.
     #[inline(always)]
     fn block<const N: usize>(&self, w: &mut Work<'_, '_>, at: usize, x: i32, n: usize) -> Block {
-        let mut mask = lanes::<N>(n);
-        let mut full = n == N;
         let mut color = None;
         if let Some(source) = &self.source {
             let Some(pixels) = w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
@@ -69,24 +76,37 @@ impl<S: Source> Run<S> {
             };
             color = Some((source, pixels));
         }
+        let mut mask = lanes::<N>(n);
+        let mut full = n == N;
         if let Some((slope, func, writes)) = &self.depth {
             let Some(depth) = w.band.depth.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
                 return Block::Outside;
             };
             let mut z = [0; N];
             slope.depths(x, &mut z);
-            compare(*func, &z, depth, &mut mask);
-            let living = living(&mask);
-            if living == 0 {
-                return Block::Dead;
-            }
-            full = living == N as u32;
-            if *writes {
-                write(full, &mask, &z, depth);
+            full &= holds(*func, &z, depth);
+            if full {
+                if *writes {
+                    *depth = z;
+                }
+            } else {
+                compare(*func, &z, depth, &mut mask);
+                if living(&mask) == 0 {
+                    return Block::Dead;
+                }
+                if *writes {
+                    write(false, &mask, &z, depth);
+                }
+                if let Some((source, pixels)) = color {
+                    source.some(x, &mask, pixels);
+                }
+                return Block::Alive;
             }
         }
-        if let Some((source, pixels)) = color {
-            source.store(x, full, &mask, pixels);
+        match color {
+            Some((source, pixels)) if full => source.all(x, pixels),
+            Some((source, pixels)) => source.some(x, &mask, pixels),
+            None => {}
         }
         Block::Alive
     }

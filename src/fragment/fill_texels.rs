@@ -181,16 +181,8 @@ fn wide<const N: usize>(p: &Along<f64>, x: f32, rq: &[f64; N], repeats: bool) ->
 
 impl Source for Texels<'_> {
     #[inline(always)]
-    fn store<const N: usize>(&self, x: i32, full: bool, mask: &[u32; N], to: &mut [u32; N]) {
+    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
         let at = self.places::<N>(x);
-        if !full {
-            let mut found = [0; N];
-            for i in 0..N {
-                let Some(&texel) = self.texels.get(at[i] as usize) else { break };
-                found[i] = texel | self.or;
-            }
-            return write(false, mask, &found, to);
-        }
         if let Form::Even(_) = self.form
             && let Some(run) =
                 neighbours(&at).and_then(|first| self.texels.get(first..)).and_then(|t| t.first_chunk::<N>())
@@ -204,5 +196,16 @@ impl Source for Texels<'_> {
             let Some(&texel) = self.texels.get(at[i] as usize) else { break };
             to[i] = texel | self.or;
         }
+    }
+
+    #[inline(always)]
+    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
+        let at = self.places::<N>(x);
+        let mut found = [0; N];
+        for i in 0..N {
+            let Some(&texel) = self.texels.get(at[i] as usize) else { break };
+            found[i] = texel | self.or;
+        }
+        write(false, mask, &found, to);
     }
 }
