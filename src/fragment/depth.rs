@@ -18,6 +18,12 @@ const WHOLE: f64 = 4_503_599_627_370_496.0;
 pub(super) fn quantise(z: f64, max: f64) -> u32 {
     let z = if z > 0.0 { z } else { 0.0 };
     let z = if z < max { z } else { max };
+    whole(z)
+}
+
+/// A depth that is within the limits, rounded.
+#[inline(always)]
+pub(super) fn whole(z: f64) -> u32 {
     (z + WHOLE).to_bits() as u32
 }
 

@@ -6,7 +6,7 @@
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::{fresh_mask, write};
 use super::compare::{Func, compare, holds, living};
-use super::depth::{WRITE, depths, quantise, test};
+use super::depth::{WRITE, depths, quantise, test, whole};
 use super::planes::Linear;
 use super::segments::{IOTA, ones, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
@@ -19,13 +19,25 @@ pub(super) struct Slope {
     at: f64,
     x: f64,
     max: f64,
+    /// No depth that matters is to be limited.
+    inside: bool,
 }
 
 impl Slope {
     /// Depth in the row y, relative to the primitive's origin.
     #[inline(always)]
     pub(super) fn new(z: &Linear, y: i32, max: f64) -> Self {
-        Self { at: z.at + z.y * f64::from(y), x: z.x, max }
+        Self { at: z.at + z.y * f64::from(y), x: z.x, max, inside: false }
+    }
+
+    /// For the depths from x to `last`: where both ends lie within the limits, all between do, rounding included.
+    #[inline(always)]
+    pub(super) fn between(self, x: i32, last: i32) -> Self {
+        let within = |x: i32| {
+            let z = self.at + self.x * f64::from(x);
+            z >= 0.0 && z <= self.max
+        };
+        Self { inside: x <= last && within(x) && within(last), ..self }
     }
 
     /// The depth at x, relative to the primitive's origin.
@@ -40,6 +52,10 @@ impl Slope {
         if self.x == 0.0 {
             // (at + 0 x) is at, or at with the sign of a zero changed.
             *out = [quantise(self.at, self.max); N];
+        } else if self.inside {
+            for i in 0..N {
+                out[i] = whole(self.at + self.x * f64::from(x.wrapping_add(i as i32)));
+            }
         } else {
             for i in 0..N {
                 out[i] = self.depth(x.wrapping_add(i as i32));

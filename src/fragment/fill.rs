@@ -124,8 +124,15 @@ impl<S: Source> Run<S> {
 /// The depth test of a stage's number along a row: `None` where there is none, else with the function and whether depths
 /// are written.
 #[inline(always)]
-fn depth_test(planes: &Planes, y: i32, u: &FragUniforms, arg: u32) -> Option<(Slope, Func, bool)> {
-    (arg & DEPTH != 0).then(|| (Slope::new(&planes.z, y, u.depth_max), Func::from_arg(arg >> 1), arg & WRITE != 0))
+fn depth_test(
+    planes: &Planes,
+    (x, y, len): (i32, i32, u32),
+    u: &FragUniforms,
+    arg: u32,
+) -> Option<(Slope, Func, bool)> {
+    let last = x.wrapping_add(len.wrapping_sub(1).cast_signed());
+    let slope = || Slope::new(&planes.z, y, u.depth_max).between(x, last);
+    (arg & DEPTH != 0).then(|| (slope(), Func::from_arg(arg >> 1), arg & WRITE != 0))
 }
 
 /// The run of a segment that begins at x, relative to the primitive's origin; gives how many of its pixels are done.
@@ -175,7 +182,7 @@ stage! {
                 return;
             }
         }
-        let depth = depth_test(planes, y, u, arg);
+        let depth = depth_test(planes, (x, y, segment.len), u, arg);
         let (len, at) = (segment.len as usize, segment.offset as usize);
         if depth.is_none() && let Some(Paint::Flat(packed)) = paint {
             if let Some(pixels) = w.band.rgba8.get_mut(at..at + len) {
@@ -195,7 +202,7 @@ stage! {
         let Some(planes) = w.planes.get(segment.prim as usize) else { return };
         let (x, y) = row_origin(&segment, planes);
         let Some(source) = texels(u, w, &segment, y) else { return };
-        let depth = depth_test(planes, y, u, arg);
+        let depth = depth_test(planes, (x, y, segment.len), u, arg);
         b.tex.n = run(w, &segment, x, &Run { depth, source: Some(source) });
     }
 }
