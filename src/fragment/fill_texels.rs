@@ -192,19 +192,22 @@ impl Source for Texels<'_> {
             }
             return;
         }
+        // As copies: the compiler cannot tell that what is written is not read from here.
+        let (texels, or) = (self.texels, self.or);
         for i in 0..N {
-            let Some(&texel) = self.texels.get(at[i] as usize) else { break };
-            to[i] = texel | self.or;
+            let Some(&texel) = texels.get(at[i] as usize) else { break };
+            to[i] = texel | or;
         }
     }
 
     #[inline(always)]
     fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
         let at = self.places::<N>(x);
+        let (texels, or) = (self.texels, self.or);
         let mut found = [0; N];
         for i in 0..N {
-            let Some(&texel) = self.texels.get(at[i] as usize) else { break };
-            found[i] = texel | self.or;
+            let Some(&texel) = texels.get(at[i] as usize) else { break };
+            found[i] = texel | or;
         }
         write(false, mask, &found, to);
     }
