@@ -7,7 +7,7 @@
 //! their number is no multiple of 4 (then some are in two quads).
 
 use super::VertexRef;
-use super::geometry::{Context, Cover, Geometry, index};
+use super::geometry::{Context, Cover, Geometry, Prim, index};
 use super::group_planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
 use super::masks::Ints;
 use super::rows::{Ends, ROWS, Rows};
@@ -232,21 +232,25 @@ impl Geometry {
             (Cover::Rows(index(self.blocks.len() - 1)), pixels)
         };
         let group = &*self.group;
-        let planes = if group.odd[lane].is_nan() {
-            self.with_lane(cx, lane, |geometry, t, area| geometry.triangle_planes(cx, t, area, false, Mode::Fill))
-        } else {
-            let of = |l: &Linears| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
-            Planes {
-                origin: [group.origin[0][lane], group.origin[1][lane]],
-                z: of(&group.z),
-                d: of(&group.bases.d),
-                affine: group.affine[lane],
-                wide: 0,
-                first,
-                member: Some(lane as u8),
-            }
-        };
-        self.file(cover, cx.draw, planes, pixels);
+        if group.odd[lane].is_nan() {
+            let planes =
+                self.with_lane(cx, lane, |geometry, t, area| geometry.triangle_planes(cx, t, area, false, Mode::Fill));
+            self.file(cover, cx.draw, planes, pixels);
+            return true;
+        }
+        // Made where they are filed: on their way through a variable they would be read back before they are written.
+        let of = |l: &Linears| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
+        self.prims.push(Prim { cover, draw: cx.draw });
+        self.pixels += pixels;
+        self.planes.push(Planes {
+            origin: [group.origin[0][lane], group.origin[1][lane]],
+            z: of(&group.z),
+            d: of(&group.bases.d),
+            affine: group.affine[lane],
+            wide: 0,
+            first,
+            member: Some(lane as u8),
+        });
         true
     }
 
