@@ -56,12 +56,12 @@ impl Engine {
         if std::mem::take(&mut self.primitive) == Primitive::Outside {
             return Err(invalid_operation("glEnd without a glBegin before it"));
         }
-        if self.pipe.end() {
+        // What is left is set up while a thread walks; after the command nobody but this one writes to the framebuffer.
+        if self.pipe.end() || self.scene.is_walking() {
             self.run_vertices();
         } else {
             self.draw_collected();
         }
-        // Between commands nobody else writes to the framebuffer.
         self.queries.passed += self.scene.wait(&mut self.framebuffer);
         Ok(())
     }
@@ -88,9 +88,15 @@ impl Engine {
         }
     }
 
-    /// Runs the full batch. Where several threads draw, the vertices of a long primitive are collected for them first.
+    /// Runs the full batch. Where several threads draw, the vertices of a long primitive are collected for them first; of
+    /// two threads, one that walks gets some of them.
     fn batch_is_full(&mut self) {
-        if self.config.threads > 2 && self.scene.can_be_cut() && self.pipe.collect() {
+        let collects = match self.config.threads {
+            1 => false,
+            2 => self.scene.is_hungry() || self.pipe.has_collected(),
+            _ => true,
+        };
+        if collects && self.scene.can_be_cut() && self.pipe.collect() {
             self.draw_collected();
         } else {
             self.run_vertices();
@@ -98,6 +104,12 @@ impl Engine {
     }
 
     fn draw_collected(&mut self) {
+        if self.config.threads == 2 {
+            if let Some(piece) = self.pipe.take_piece(&self.pieces) {
+                self.scene.set_up(piece);
+            }
+            return;
+        }
         let Some((mode, store)) = self.pipe.take_collected() else { return };
         self.draw_source(&store, mode, store.order());
         self.pipe.give_back(store);

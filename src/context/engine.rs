@@ -19,6 +19,7 @@ use crate::raster::Scene;
 use crate::state::pixel::PixelStores;
 use crate::state::{Dirty, State};
 use crate::vertex::lane::Lane;
+use crate::vertex::piece::Pieces;
 use crate::vertex::pipe::Pipe;
 use std::sync::Arc;
 
@@ -56,6 +57,8 @@ pub(crate) struct Engine {
     pub(crate) pipe: Pipe,
     /// What threads beside this one need for large draws.
     pub(crate) lanes: Vec<Lane>,
+    /// What the thread that walks needs for pieces of a long Begin/End.
+    pub(crate) pieces: Pieces,
     /// Draws that wait for a flush.
     pub(crate) scene: Scene<Arc<Program>>,
     /// The fragment program of the present state.
@@ -104,6 +107,7 @@ impl Engine {
             primitive: Primitive::default(),
             pipe: Pipe::new(config.level, config.batch_cut),
             lanes: Vec::new(),
+            pieces: Pieces::default(),
             scene: Scene::new(config.threads, config.batch_cut).at_level(config.level),
             program: None,
             drawing: false,

@@ -79,9 +79,12 @@ impl Engine {
     /// Adds what vertices and primitives went through to the tally; gives all that it holds.
     pub(crate) fn gather_counts(&mut self) -> Counters {
         let mut counters = Counters::default();
-        for lane in std::iter::once(&mut self.pipe.lane).chain(&mut self.lanes) {
+        let mut idle = self.pieces.idle();
+        let pieces = idle.iter_mut().map(|piece| &mut piece.lane);
+        for lane in std::iter::once(&mut self.pipe.lane).chain(&mut self.lanes).chain(pieces) {
             lane.chunk.counts.drain_into(&mut counters);
         }
+        drop(idle);
         counters.levels_built = std::mem::take(&mut self.textures.levels_built);
         let Some(tally) = &self.tally else { return Counters::default() };
         let mut all = Counters::default();

@@ -32,6 +32,7 @@ pub use rounds::Pieces;
 pub use scene::{Builder, Draw, Scene};
 pub use shader::Shader;
 pub use state::RasterState;
+pub use walker::SetUp;
 
 /// A processed vertex as setup reads it.
 #[derive(Clone, Copy, Debug)]

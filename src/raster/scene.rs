@@ -12,7 +12,7 @@ use super::rounds::{Part, Pieces, Round};
 use super::setup::Triangle;
 use super::shader::Shader;
 use super::state::Mode;
-use super::walker::{Empties, Kit, Load, Manner, Walker};
+use super::walker::{Empties, Kit, Load, Manner, SetUp, Walker};
 use super::{RasterState, VertexRef};
 use crate::batch::{LANES, Level};
 use crate::framebuffer::Framebuffer;
@@ -55,6 +55,7 @@ pub struct Scene<P> {
     /// The thread that has the framebuffer, if one has it.
     walker: Option<Walker<P>>,
     empties: Empties,
+    is_hungry: bool,
 }
 
 /// What the primitives of a draw are set up with, and where they are kept.
@@ -156,6 +157,7 @@ impl<P: Shader> Scene<P> {
             parts: Vec::new(),
             walker: None,
             empties: Empties::default(),
+            is_hungry: false,
         }
     }
 
@@ -317,24 +319,55 @@ impl<P: Shader> Scene<P> {
 
 impl<P: Shader + 'static> Scene<P> {
     /// Hands the primitives that wait over to a thread that walks them while others are drawn, if they are many and small
-    /// and the thread has nothing to do. From then on the framebuffer is away, until somebody [waits](Self::wait).
+    /// and the thread has little to do. From then on the framebuffer is away, until somebody [waits](Self::wait).
     pub fn hand_over(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
         if threads < 2 || self.memory() < LOAD || self.geometry.pixels > FEW * self.geometry.prims.len() as u64 {
             return;
         }
         self.settle();
-        if self.walker.is_none() {
+        let is_first = self.walker.is_none();
+        if is_first {
             self.start_walker(framebuffer, threads - 1);
         }
-        let Some(walker) = &self.walker else { return };
-        let load = Load { draws: self.draws.clone(), geometry: take(&mut self.geometry) };
+        let has_little = |scene: &Self| scene.walker.as_ref().is_some_and(|walker| walker.has() < 2);
+        if has_little(self) {
+            drop(self.load(None));
+            // A primitive that has come so far may end before more is collected.
+            self.is_hungry = !is_first && has_little(self);
+        }
+    }
+
+    /// Whether the thread would take primitives to set up, besides what it has: it has walked faster than others set up.
+    #[must_use]
+    pub fn is_hungry(&self) -> bool {
+        self.is_hungry && self.walker.is_some()
+    }
+
+    /// Draws primitives of the current draw: the thread that walks sets them up, if there is one, or else this one.
+    pub fn set_up(&mut self, more: SetUp<P>) {
+        self.settle();
+        self.is_hungry = false;
+        if let (Some(more), Some(mut builder)) = (self.load(Some(more)), self.builder()) {
+            more(&mut builder);
+        }
+    }
+
+    /// Hands over what waits, and primitives that are to be set up, which are given back where that cannot be.
+    fn load(&mut self, more: Option<SetUp<P>>) -> Option<SetUp<P>> {
+        let Some(walker) = &self.walker else { return more };
+        let more = more.map(|more| (more, self.recipe.clone()));
+        let load = Load { draws: self.draws.clone(), geometry: take(&mut self.geometry), more };
         match walker.hand_over(Box::new(load)) {
             Ok(empty) => {
                 self.geometry = empty;
                 let passed = self.draws.len().saturating_sub(1);
                 self.draws.drain(..passed);
+                None
             }
-            Err(load) => self.geometry = load.geometry,
+            Err(load) => {
+                self.geometry = load.geometry;
+                load.more.map(|(more, _)| more)
+            }
         }
     }
 

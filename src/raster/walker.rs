@@ -3,25 +3,52 @@
 //! meanwhile. The scene hands over its primitives load by load, each in a geometry of its own, and with the first the
 //! framebuffer itself, which comes back when the thread is waited for. Loads are walked in the order in which they come,
 //! so a pixel sees the same fragments in the same order as without the thread, and the result is the same to the last bit.
+//! Since walking small triangles takes less time than setting them up, a load may have primitives that the thread sets up
+//! first.
 
 use super::bands::{self, Flush};
 use super::emit::Emitter;
 use super::geometry::Geometry;
-use super::scene::Draw;
+use super::plane::Recipe;
+use super::scene::{Builder, Draw};
 use super::shader::Shader;
 use crate::batch::Level;
 use crate::framebuffer::Framebuffer;
 use std::any::Any;
+use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::{Builder, JoinHandle};
+use std::thread::JoinHandle;
+
+/// Sets primitives up: something that a thread can be told to do.
+pub type SetUp<P> = Box<dyn FnOnce(&mut Builder<'_, P>) + Send>;
 
 /// Primitives that are to be walked, and the draws that they belong to.
-#[derive(Debug)]
 pub(super) struct Load<P> {
     pub draws: Vec<Arc<Draw<P>>>,
     pub geometry: Geometry,
+    /// Primitives of the last draw that come after those.
+    pub more: Option<(SetUp<P>, Recipe)>,
+}
+
+impl<P> fmt::Debug for Load<P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let bytes = self.geometry.memory();
+        f.debug_struct("Load").field("bytes", &bytes).field("more", &self.more.is_some()).finish()
+    }
+}
+
+impl<P> Load<P> {
+    fn set_up(&mut self) {
+        let Some((more, recipe)) = self.more.take() else { return };
+        let Some(draw) = self.draws.last() else { return };
+        let (index, mut stipple) = ((self.draws.len() - 1) as u32, 0);
+        let mut to = Builder::new(draw, index, &recipe, &mut self.geometry, &mut stipple);
+        more(&mut to);
+        to.settle();
+    }
 }
 
 /// How loads are walked.
@@ -49,13 +76,16 @@ pub(super) struct Kit {
 
 impl Kit {
     /// Walks a load, unless one before it has come to a bad end.
-    fn walk<P: Shader>(&mut self, load: &Load<P>, manner: Manner) {
+    fn walk<P: Shader>(&mut self, load: &mut Load<P>, manner: Manner) {
         if self.panic.is_some() {
             return;
         }
         let Self { framebuffer, emitters, bins, .. } = self;
-        let flush = Flush { draws: &load.draws, geometry: &load.geometry, cut: manner.cut, level: manner.level };
-        let walk = || bands::flush(&flush, framebuffer, manner.threads, bins, emitters);
+        let walk = || {
+            load.set_up();
+            let flush = Flush { draws: &load.draws, geometry: &load.geometry, cut: manner.cut, level: manner.level };
+            bands::flush(&flush, framebuffer, manner.threads, bins, emitters)
+        };
         match catch_unwind(AssertUnwindSafe(walk)) {
             Ok(samples) => self.samples += samples,
             Err(panic) => self.panic = Some(panic),
@@ -66,23 +96,31 @@ impl Kit {
 /// Geometries that have been walked, for the next loads.
 pub(super) type Empties = Arc<Mutex<Vec<Geometry>>>;
 
+/// Loads that the thread may have: one that it walks, one that waits, and one that somebody was told it would take.
+const MOST: usize = 3;
+
 /// The thread, from the side of the scene.
 #[derive(Debug)]
 pub(super) struct Walker<P> {
     loads: Option<SyncSender<Box<Load<P>>>>,
     empties: Empties,
+    /// How many loads the thread has.
+    has: Arc<AtomicUsize>,
     thread: Option<JoinHandle<Option<Box<Kit>>>>,
 }
 
 impl<P: Shader + 'static> Walker<P> {
     /// Starts the thread. Gives the kit back where there can be no more threads.
     pub fn start(kit: Box<Kit>, empties: &Empties, manner: Manner) -> Result<Self, Box<Kit>> {
-        let (loads, coming) = sync_channel::<Box<Load<P>>>(1);
+        let (loads, coming) = sync_channel::<Box<Load<P>>>(MOST);
         let (first, kits) = sync_channel::<Box<Kit>>(1);
         let (empties, back) = (Arc::clone(empties), Arc::clone(empties));
-        let work = move || Some(work(kits.recv().ok()?, &coming, &back, manner));
-        let Ok(thread) = Builder::new().name("fixedgl walker".into()).spawn(work) else { return Err(kit) };
-        let walker = Self { loads: Some(loads), empties, thread: Some(thread) };
+        let has = Arc::new(AtomicUsize::new(0));
+        let left = Arc::clone(&has);
+        let work = move || Some(work(kits.recv().ok()?, &coming, &back, &left, manner));
+        let thread = std::thread::Builder::new().name("fixedgl walker".into()).spawn(work);
+        let Ok(thread) = thread else { return Err(kit) };
+        let walker = Self { loads: Some(loads), empties, has, thread: Some(thread) };
         // The thread waits for its kit: it is not the closure's own, which is lost where no thread starts.
         first.send(kit).map_err(|unsent| unsent.0)?;
         Ok(walker)
@@ -90,23 +128,38 @@ impl<P: Shader + 'static> Walker<P> {
 }
 
 /// What the thread does.
-fn work<P: Shader>(mut kit: Box<Kit>, loads: &Receiver<Box<Load<P>>>, empties: &Empties, manner: Manner) -> Box<Kit> {
+fn work<P: Shader>(
+    mut kit: Box<Kit>,
+    loads: &Receiver<Box<Load<P>>>,
+    empties: &Empties,
+    left: &AtomicUsize,
+    manner: Manner,
+) -> Box<Kit> {
     for mut load in loads {
-        kit.walk(&load, manner);
+        kit.walk(&mut load, manner);
         load.geometry.clear();
         empties.lock().unwrap_or_else(PoisonError::into_inner).push(load.geometry);
+        left.fetch_sub(1, Ordering::Relaxed);
     }
     kit
 }
 
 impl<P> Walker<P> {
-    /// Hands a load over and gives an empty geometry for the next one. Where the thread has enough to do it gives the load
-    /// back.
+    /// How many loads the thread has that it has not walked.
+    pub fn has(&self) -> usize {
+        self.has.load(Ordering::Relaxed)
+    }
+
+    /// Hands a load over and gives an empty geometry for the next one. Where the thread has enough the load is given back.
     pub fn hand_over(&self, load: Box<Load<P>>) -> Result<Geometry, Box<Load<P>>> {
         let Some(loads) = &self.loads else { return Err(load) };
+        self.has.fetch_add(1, Ordering::Relaxed);
         match loads.try_send(load) {
             Ok(()) => Ok(self.empties.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()),
-            Err(TrySendError::Full(load) | TrySendError::Disconnected(load)) => Err(load),
+            Err(TrySendError::Full(load) | TrySendError::Disconnected(load)) => {
+                self.has.fetch_sub(1, Ordering::Relaxed);
+                Err(load)
+            }
         }
     }
 
@@ -130,7 +183,8 @@ impl<P> Drop for Walker<P> {
 
 #[cfg(test)]
 mod tests {
-    use crate::raster::testing::{Board, Random};
+    use crate::raster::VertexRef;
+    use crate::raster::testing::{Board, Random, vertex};
     use std::panic::{AssertUnwindSafe, catch_unwind};
 
     /// Small triangles all over a board; after each of them something may be done.
@@ -171,6 +225,34 @@ mod tests {
             assert!(shared.hits() == want, "{threads} threads");
             assert!(shared.scene.is_empty());
         }
+    }
+
+    #[test]
+    fn what_the_walker_sets_up_comes_in_its_turn() {
+        let drawn = |threads: usize| {
+            let mut board = board(threads);
+            let (mut given, mut taken) = (0, 0);
+            strew(&mut board, 20_000, |board, i| {
+                hand_over(board);
+                if i % 500 == 499 {
+                    given += 1;
+                    taken += usize::from(board.scene.is_hungry());
+                    let v = [[3.0, 3.0], [50.0, 7.0], [9.0, 60.0]].map(|[x, y]| vertex(x, y, 0.5, 1.0));
+                    board.scene.set_up(Box::new(move |to| {
+                        for _ in 0..9 {
+                            let corners = v.each_ref().map(|head| VertexRef { head, slots: &[] });
+                            to.triangle(corners, 2, [true; 3]);
+                        }
+                    }));
+                    assert!(!board.scene.is_hungry());
+                }
+            });
+            assert!(given == 40 && taken <= given);
+            board.hits()
+        };
+        let want = drawn(1);
+        assert!(want.iter().any(|hits| *hits >= 40 * 9));
+        assert!(drawn(2) == want && drawn(4) == want);
     }
 
     #[test]

@@ -77,6 +77,12 @@ impl Chunk {
         self.assembler.end(&self.pool, &mut Output::new(plan, culls, &mut self.seen, &mut self.counts));
     }
 
+    /// Whether no vertex waits for others.
+    #[must_use]
+    pub fn is_between(&mut self) -> bool {
+        self.assembler.held().is_empty()
+    }
+
     /// How many vertices the pool holds.
     #[must_use]
     pub fn held(&self) -> u32 {

@@ -17,6 +17,7 @@ pub mod lane;
 pub mod lighting;
 pub mod material;
 pub mod normal;
+pub mod piece;
 pub mod pipe;
 pub mod plan;
 pub mod pool;

@@ -4,13 +4,15 @@
 
 use super::Assembled;
 use super::batch::needs;
-use super::chunk::{Chunk, consecutive};
+use super::chunk::consecutive;
 use super::lane::{Lane, WORTH_CUTTING};
+use super::piece::Pieces;
 use super::plan::{VertexPlan, Wants};
 use super::store::Store;
 use crate::batch::{LANES, Level};
 use crate::enums::{GL_QUADS, GL_TRIANGLES, GLenum};
 use crate::fragment::planes::Layout;
+use crate::raster::{SetUp, Shader};
 use crate::state::State;
 use crate::state::current::Current;
 
@@ -42,6 +44,8 @@ pub struct Pipe {
 
 /// How many vertices are collected at most; a multiple of 3, 4 and 64.
 const MOST_COLLECTED: usize = 256 * 192;
+/// Vertices of a piece for a thread that walks; a multiple of 3, 4 and 64.
+const PIECE: usize = 24 * 192;
 /// How many pieces of primitives may wait, so that empty Begin/End pairs do not pile up.
 const MOST_SPANS: usize = 64;
 
@@ -126,11 +130,14 @@ impl Pipe {
     /// Collects the full batch instead of running it: vertices of one long primitive, of which any three or four in a row
     /// are a triangle or a quadrilateral. False where they are not.
     pub fn collect(&mut self) -> bool {
-        let [Span { mode: GL_TRIANGLES | GL_QUADS, begins: true, ends: false, .. }] = self.spans.as_slice() else {
+        let Self { plan, lane: Lane { chunk, .. }, store, spans, .. } = self;
+        let [Span { mode: GL_TRIANGLES | GL_QUADS, begins, ends: false, .. }] = spans.as_mut_slice() else {
             return false;
         };
-        let Self { plan, lane: Lane { chunk: Chunk { batch, .. }, .. }, store, .. } = self;
-        if batch.n != LANES || plan.needs & needs::EDGE != 0 {
+        // Between two triangles the primitive might as well begin anew.
+        *begins |= chunk.is_between();
+        let batch = &mut chunk.batch;
+        if !*begins || batch.n != LANES || plan.needs & needs::EDGE != 0 {
             return false;
         }
         if store.is_empty() {
@@ -141,6 +148,19 @@ impl Pipe {
             batch.clear();
         }
         collected
+    }
+
+    /// Whether vertices have been collected.
+    #[must_use]
+    pub fn has_collected(&self) -> bool {
+        !self.store.is_empty()
+    }
+
+    /// What was collected as a piece for another thread, if it is enough.
+    pub fn take_piece<P: Shader>(&mut self, pieces: &Pieces) -> Option<SetUp<P>> {
+        let mode = self.spans.first()?.mode;
+        let enough = self.store.len() >= PIECE;
+        enough.then(|| pieces.make(&self.plan, mode, self.cut, &mut self.store))
     }
 
     /// What was collected, if it is enough to be drawn by itself: whole triangles and quadrilaterals. The primitive goes
