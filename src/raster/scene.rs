@@ -202,7 +202,8 @@ impl<P: Shader> Scene<P> {
     }
 
     /// Where the primitives of the current draw go, unless nothing can come of them.
-    fn builder(&mut self) -> Option<Builder<'_, P>> {
+    #[must_use]
+    pub fn builder(&mut self) -> Option<Builder<'_, P>> {
         let draw = self.draws.last().filter(|draw| !draw.program.draws_nothing())?;
         let index = (self.draws.len() - 1) as u32;
         Some(Builder::new(draw, index, &self.recipe, &mut self.geometry, &mut self.stipple))

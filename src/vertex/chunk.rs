@@ -164,9 +164,9 @@ impl Chunk {
 
     /// Hands on some of what was seen, from a primitive on; how many primitives were seen.
     pub fn hand_on<S: Assembled>(&mut self, plan: &VertexPlan, from: usize, most: usize, sink: &mut S) -> usize {
-        for primitive in self.seen.iter().skip(from).take(most) {
-            primitive.hand_on(plan, &self.pool, &mut self.clipper, sink);
-        }
+        let until = from.saturating_add(most).min(self.seen.len());
+        let primitives = self.seen.get(from..until).unwrap_or_default();
+        sink.take(primitives, plan, &self.pool, &mut self.clipper);
         self.seen.len()
     }
 

@@ -29,7 +29,11 @@ pub mod weld;
 
 pub use crate::raster::VertexRef;
 use crate::raster::{Builder, Scene, Shader};
+use assemble::Primitive;
 use batch::VertexBatch;
+use clip::Clipper;
+use plan::VertexPlan;
+use pool::Pool;
 
 /// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
 /// hit record.
@@ -45,6 +49,15 @@ pub trait Assembled {
     /// not be handed on.
     fn culls(&self) -> [bool; 2] {
         [false; 2]
+    }
+    /// Takes primitives one after the other.
+    fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper)
+    where
+        Self: Sized,
+    {
+        for primitive in primitives {
+            primitive.hand_on(plan, pool, clipper, self);
+        }
     }
 }
 
@@ -63,6 +76,13 @@ impl<P: Shader> Assembled for Scene<P> {
 
     fn culls(&self) -> [bool; 2] {
         Scene::culls(self)
+    }
+
+    /// What a scene has to know of its draw is the same for all of them.
+    fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper) {
+        if let Some(mut builder) = self.builder() {
+            builder.take(primitives, plan, pool, clipper);
+        }
     }
 }
 

@@ -35,7 +35,8 @@ impl Pool {
     /// Forgets all vertices and takes the shape of a plan's output.
     pub fn reset(&mut self, plan: &VertexPlan) {
         self.places.clear();
-        self.vertices.clear(plan.layout.stride);
+        self.vertices.head.clear();
+        self.vertices.stride = plan.layout.stride;
         self.user.clear();
         self.user_stride = plan.uniforms.user_count.min(MAX_CLIP_PLANES);
     }
@@ -89,11 +90,20 @@ impl Pool {
         }));
         let [xs, ys] = &b.snapped;
         self.places.extend((0..n).map(|i| Place { snapped: [xs[i], ys[i]], outcode: b.outcode[i] }));
-        self.vertices.slots.resize(self.vertices.head.len() * self.vertices.stride, 0.0);
+        self.make_slots();
         if self.user_stride > 0 {
             for i in 0..n {
                 self.user.extend(b.user.iter().take(self.user_stride).map(|lanes| lanes[i]));
             }
+        }
+    }
+
+    /// Makes room for the values of all vertices. Those that nobody has given yet are never read, so what earlier vertices
+    /// had may stay there.
+    fn make_slots(&mut self) {
+        let slots = self.vertices.head.len() * self.vertices.stride;
+        if self.vertices.slots.len() < slots {
+            self.vertices.slots.resize(slots, 0.0);
         }
     }
 
@@ -166,8 +176,11 @@ impl Pool {
         self.vertices.head.extend_from_slice(&heads[..count]);
         self.places.clear();
         self.places.extend(heads[..count].iter().map(|v| Place { snapped: v.snapped, outcode: v.outcode }));
-        self.vertices.slots.clear();
-        self.vertices.slots.extend_from_slice(&self.kept);
+        // One vertex may be kept twice.
+        self.make_slots();
+        for (to, from) in self.vertices.slots.iter_mut().zip(&self.kept) {
+            *to = *from;
+        }
         self.user.clear();
         for distances in &user[..count] {
             self.user.extend_from_slice(&distances[..self.user_stride]);
