@@ -8,6 +8,7 @@ use super::buffers::write;
 use super::compare::{Func, compare, holds, living};
 use super::depth::WRITE;
 use super::depth_rows::{Slope, coarse, hidden, lanes, look};
+use super::fill_linear::{Shown, linear};
 use super::fill_texels::texels;
 use super::interpolate::primitive;
 use super::pack::Paint;
@@ -15,6 +16,9 @@ use super::planes::Planes;
 use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
+use crate::texture::linear::{RGB, RGBA};
+use crate::texture::sampler::Filtered;
+use crate::texture::uniforms::WrappedImage;
 
 /// Bits of [`FILL`]'s number above those of the depth test: depth is tested, colour is written.
 pub(super) const DEPTH: u32 = 1 << 4;
@@ -166,6 +170,24 @@ fn run<S: Source>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>
     done
 }
 
+/// The run of the first segment, filtered; as [`FILL_TEXELS`].
+#[inline(always)]
+fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8>(
+    b: &mut FragmentBatch,
+    u: &FragUniforms,
+    w: &mut Work<'_, '_>,
+    arg: u32,
+    image: &WrappedImage<K>,
+) {
+    b.tex.n = 0;
+    let segment = b.segments[0];
+    let (Some(planes), Some(shown)) = (w.planes.get(segment.prim as usize), &u.shown) else { return };
+    let (x, y) = row_origin(&segment, planes);
+    let Some(source) = linear::<K, ROWS, FORMAT>(u, w, &segment, y, shown, image) else { return };
+    let depth = depth_test(planes, (x, y, segment.len), u, arg);
+    b.tex.n = run(w, &segment, x, &Run { depth, source: Some(source) });
+}
+
 stage! {
     /// The run of the first segment; leaves in `tex.n` how many of its pixels it has done. The rest, which is at the end of
     /// the buffers or of a primitive whose planes need `f64`, must go through batches.
@@ -204,5 +226,23 @@ stage! {
         let Some(source) = texels(u, w, &segment, y) else { return };
         let depth = depth_test(planes, (x, y, segment.len), u, arg);
         b.tex.n = run(w, &segment, x, &Run { depth, source: Some(source) });
+    }
+
+    /// The same with what one linearly filtered image shows: three channels in two dimensions.
+    pub(super) fn FILL_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let Some(Shown { image: Filtered::Rgb(image), .. }) = &u.shown else { return };
+        filtered::<2, 2, RGB>(b, u, w, arg, image);
+    }
+
+    /// [`FILL_RGB`] with four channels.
+    pub(super) fn FILL_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let Some(Shown { image: Filtered::Rgba(image), .. }) = &u.shown else { return };
+        filtered::<2, 2, RGBA>(b, u, w, arg, image);
+    }
+
+    /// [`FILL_RGB`] in three dimensions.
+    pub(super) fn FILL_RGB_3D: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let Some(Shown { image: Filtered::Rgb3d(image), .. }) = &u.shown else { return };
+        filtered::<3, 4, RGB>(b, u, w, arg, image);
     }
 }

@@ -1,6 +1,7 @@
 //! What happens to a fragment (OpenGL 1.5, sections 3.8 to 3.10 and chapter 4): interpolation, texturing, colour sum, fog,
 //! tests, blending and the store into the framebuffer, as a plan of stages over batches of 64 fragments.
 
+mod along;
 mod alpha;
 pub mod batch;
 pub mod blend;
@@ -12,6 +13,7 @@ mod depth;
 mod depth_rows;
 mod detail;
 mod fill;
+mod fill_linear;
 mod fill_texels;
 mod float_store;
 mod fog;

@@ -23,7 +23,7 @@ pub(super) const LATER: u32 = 2;
 const COLOR: u32 = 0x00FF_FFFF;
 
 /// What an environment does to the colour half or to alpha.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
     /// The texel takes its place.
     Texel = 0,

@@ -3,6 +3,7 @@
 
 use super::batch::FragmentBatch;
 use super::blend::{Equation, Factor};
+use super::fill_linear::Shown;
 use super::fill_texels::Copied;
 use super::planes::{Layout, PlanePool, Planes};
 use super::stencil::StencilOp;
@@ -41,6 +42,8 @@ pub struct FragUniforms {
     pub blend: BlendUniforms,
     /// Which texels a program copies that does nothing else with textures, and no more to colours.
     pub copied: Option<Copied>,
+    /// What a program shows that does nothing with textures but to filter one image.
+    pub shown: Option<Shown>,
 }
 
 /// The numbers of the stencil test.

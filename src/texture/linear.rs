@@ -6,7 +6,7 @@
 //! of the texels. The factor 1/255 comes last, once.
 
 use super::address::far_linear;
-use super::batch::{Lanes, TexBatch, Work};
+use super::batch::{TexBatch, Work};
 use super::filter::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, lerp, offsets, texels};
 use super::format::BaseFormat;
 use super::near::{Form, Range};
@@ -31,10 +31,15 @@ pub const INTENSITY: u8 = 4;
 /// Colour is 0.
 pub const ALPHA: u8 = 5;
 
-/// The two neighbours of every lane in a row: texel i of lane l at 2 l, texel i+1 at 2 l + 1.
+/// The two neighbours of every lane in a row of the image.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-struct Pairs([u32; 2 * LANES]);
+pub struct Pairs<const N: usize>([[u32; 2]; N]);
+
+impl<const N: usize> Pairs<N> {
+    /// No texels yet.
+    pub const NONE: Self = Self([[0; 2]; N]);
+}
 
 /// The texels of an image from each of the rows on that a filter reads: row j, row j+1, then those of slice k+1. All are
 /// equally long, so that an index is checked once.
@@ -52,12 +57,16 @@ fn rows<const ROWS: usize>(image: &MipLevel) -> Option<[&[u32]; ROWS]> {
 
 /// Copies the neighbours at `o` in each of the rows.
 #[inline(always)]
-fn pairs<const ROWS: usize>(out: &mut [Pairs; ROWS], lane: usize, rows: &[&[u32]; ROWS], o: usize) -> Option<()> {
+fn pairs<const ROWS: usize, const N: usize>(
+    out: &mut [Pairs<N>; ROWS],
+    lane: usize,
+    rows: &[&[u32]; ROWS],
+    o: usize,
+) -> Option<()> {
     let len = rows[0].len();
     for r in 0..ROWS {
         let t = rows[r].get(..len)?.get(o..o + 2)?;
-        out[r].0[2 * lane] = t[0];
-        out[r].0[2 * lane + 1] = t[1];
+        out[r].0[lane] = [t[0], t[1]];
     }
     Some(())
 }
@@ -96,23 +105,29 @@ fn places<'a, const DIMS: usize>(b: &mut TexBatch, u: &'a UnitUniforms, arg: u32
     Some(Places { image, at: offsets::<DIMS>(&b.work, image.origin, image.stride, image.slice) })
 }
 
-/// Fetches the pairs of all lanes. An index beyond the image cannot come out of the wraps; were there one, the loop
-/// would end. (That it may end also keeps it a loop of plain loads: gather instructions are slower.)
+/// Fetches the pairs of lanes that read one image. An index beyond the image cannot come out of the wraps; were there one,
+/// the loop would end. (That it may end also keeps it a loop of plain loads: gather instructions are slower.)
+#[inline(always)]
+pub fn fetch_at<const ROWS: usize, const N: usize>(out: &mut [Pairs<N>; ROWS], image: &MipLevel, at: &[u32; N]) {
+    let Some(rows) = rows(image) else { return };
+    for i in 0..N {
+        if pairs(out, i, &rows, at[i] as usize).is_none() {
+            break;
+        }
+    }
+}
+
+/// Fetches the pairs of all lanes.
 #[inline(always)]
 fn fetch<const DIMS: usize, const ROWS: usize>(
-    out: &mut [Pairs; ROWS],
+    out: &mut [Pairs<LANES>; ROWS],
     places: Option<Places<'_>>,
     w: &Work,
     u: &UnitUniforms,
     pass: usize,
 ) {
     if let Some(Places { image, at }) = places {
-        let Some(rows) = rows(image) else { return };
-        for i in 0..LANES {
-            if pairs(out, i, &rows, at[i] as usize).is_none() {
-                break;
-            }
-        }
+        fetch_at(out, image, &at);
     } else {
         for i in 0..LANES {
             let Some(image) = lane_image(u, w, pass, i) else { break };
@@ -130,13 +145,13 @@ fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut
     if pass == 1 && !b.work.two_levels {
         return;
     }
-    let mut rows = [Pairs([0; 2 * LANES]); ROWS];
+    let mut rows = [Pairs::NONE; ROWS];
     let places = places::<DIMS>(b, u, arg, pass);
     fetch::<DIMS, ROWS>(&mut rows, places, &b.work, u, pass);
     let TexBatch { texel, work: Work { weight: [ws, wt, wr], color, .. }, .. } = b;
     let Some((out, k)) = destination(texel, color, u.unit, arg, INV_255) else { return };
     for start in (0..LANES).step_by(CHUNK) {
-        let chunk = blend::<ROWS, FORMAT>(&rows, [ws, wt, wr], start, k);
+        let chunk = blend::<ROWS, FORMAT, LANES>(&rows, [ws, wt, wr], start, k);
         for c in 0..4 {
             if let Some(to) = out[c].get_mut(start..).and_then(|to| to.first_chunk_mut()) {
                 *to = chunk[c];
@@ -146,28 +161,28 @@ fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut
 }
 
 /// Lanes that are blended at a time: as many as fit in the registers of the widest level.
-const CHUNK: usize = 16;
+pub const CHUNK: usize = 16;
 
 /// Blends the rows of the lanes of a chunk. Everything is a copy: with references into the batch the compiler would test
 /// at run time whether what is written is also what is read.
 #[inline(always)]
-fn blend<const ROWS: usize, const FORMAT: u8>(
-    rows: &[Pairs; ROWS],
-    [ws, wt, wr]: [&Lanes; 3],
+pub fn blend<const ROWS: usize, const FORMAT: u8, const N: usize>(
+    rows: &[Pairs<N>; ROWS],
+    [ws, wt, wr]: [&[f32; N]; 3],
     start: usize,
     k: f32,
 ) -> [[f32; CHUNK]; 4] {
     let none = [0.0; CHUNK];
     let mut out = [none; 4];
-    let part = |w: &Lanes| w.get(start..).and_then(|w| w.first_chunk()).copied().unwrap_or(none);
+    let part = |w: &[f32; N]| w.get(start..).and_then(|w| w.first_chunk()).copied().unwrap_or(none);
     let (ws, wt, wr) = (part(ws), part(wt), part(wr));
     // As arrays of their own, so that the loops below are over registers.
     let mut texels = [[[0u32; CHUNK]; 2]; ROWS];
     for r in 0..ROWS {
-        let Some(pairs) = rows[r].0.get(2 * start..).and_then(|p| p.first_chunk::<{ 2 * CHUNK }>()) else { return out };
+        let Some(pairs) = rows[r].0.get(start..).and_then(|p| p.first_chunk::<CHUNK>()) else { return out };
         for i in 0..CHUNK {
-            texels[r][0][i] = pairs[2 * i];
-            texels[r][1][i] = pairs[2 * i + 1];
+            texels[r][0][i] = pairs[i][0];
+            texels[r][1][i] = pairs[i][1];
         }
     }
     let channel = |c: u32| {

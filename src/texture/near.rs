@@ -8,8 +8,7 @@
 //!                   the others limit nothing
 //! ```
 
-use super::batch::{Lanes, TexBatch};
-use crate::batch::LANES;
+use super::batch::TexBatch;
 use crate::num::{clamp_f32, round_to_int};
 
 /// Below this a coordinate takes its whole part off in one step, and times any N it is below 2^22.
@@ -21,7 +20,7 @@ const BEYOND: f32 = 4_194_304.0;
 
 /// Between which numbers a coordinate lies in all lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Range {
+pub struct Range {
     /// No lane is below this.
     pub least: f32,
     /// None is farther from 0.
@@ -82,7 +81,7 @@ impl Near {
 
 /// How a dimension is wrapped for a linear filter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Form {
+pub enum Form {
     /// Not at all.
     Inside,
     /// REPEAT: the low bits of the index.
@@ -95,7 +94,7 @@ impl Form {
     /// For coordinates in `range`, which are multiplied with `scale`, and N texels; `None` where REPEAT does not come down
     /// to a mask.
     #[inline(always)]
-    pub(super) fn new(repeats: bool, range: Range, scale: f32, n: f32) -> Option<Self> {
+    pub fn new(repeats: bool, range: Range, scale: f32, n: f32) -> Option<Self> {
         let inside = range.inside() && scale == n;
         if !repeats {
             return Some(if inside { Self::Inside } else { Self::Limited });
@@ -106,17 +105,24 @@ impl Form {
 
     /// Gives each lane the index of the first of its two texels, and writes the weight of the second.
     #[inline(always)]
-    pub(super) fn run(self, s: &Lanes, scale: f32, n: f32, weight: &mut Lanes, mut put: impl FnMut(usize, i32)) {
+    pub fn run<const N: usize>(
+        self,
+        s: &[f32; N],
+        scale: f32,
+        n: f32,
+        weight: &mut [f32; N],
+        mut put: impl FnMut(usize, i32),
+    ) {
         match self {
             Self::Inside => {
-                for i in 0..LANES {
+                for i in 0..N {
                     let (bits, w) = pair(s[i] * n);
                     weight[i] = w;
                     put(i, bits.wrapping_sub(MAGIC.to_bits()).cast_signed());
                 }
             }
             Self::Around(mask) => {
-                for i in 0..LANES {
+                for i in 0..N {
                     let (bits, w) = pair((s[i] - ((s[i] + MAGIC) - MAGIC)) * n);
                     weight[i] = w;
                     // The low bits of MAGIC are 0.
@@ -124,7 +130,7 @@ impl Form {
                 }
             }
             Self::Limited => {
-                for i in 0..LANES {
+                for i in 0..N {
                     let (bits, w) = pair(clamp_f32(s[i] * scale, 0.0, n));
                     weight[i] = w;
                     put(i, bits.wrapping_sub(MAGIC.to_bits()).cast_signed());
@@ -145,6 +151,7 @@ fn pair(x: f32) -> (u32, f32) {
 mod tests {
     use super::super::address::tests::both;
     use super::*;
+    use crate::batch::LANES;
     use crate::enums::{GL_CLAMP, GL_REPEAT};
 
     const ANYWHERE: Range = Range { least: f32::NEG_INFINITY, limit: f32::INFINITY };

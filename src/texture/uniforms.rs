@@ -42,13 +42,13 @@ impl MipLevel {
     }
 }
 
-/// An image of 8-bit texels of which a sampler reads the nearest texel and nothing else.
+/// The one image of 8-bit texels that a sampler reads, of K dimensions.
 #[derive(Clone, Debug)]
-pub struct NearestImage {
+pub struct WrappedImage<const K: usize> {
     /// The image.
     pub level: MipLevel,
-    /// Whether s and t are wrapped by REPEAT; by CLAMP or CLAMP_TO_EDGE where not.
-    pub repeats: [bool; 2],
+    /// For each coordinate whether it is wrapped by REPEAT; by CLAMP or CLAMP_TO_EDGE where not.
+    pub repeats: [bool; K],
 }
 
 /// What the stages of one unit's sampler read.

@@ -21,6 +21,7 @@ use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::state::State;
 use crate::texture::object::TextureObject;
+use crate::texture::sampler::Filtered;
 
 /// A program in the making.
 struct Builder<'a> {
@@ -141,7 +142,7 @@ impl Builder<'_> {
                 if plain {
                     self.fill(&tests, fill::COLOR);
                 } else {
-                    self.fill_texels(&tests);
+                    self.fill_textured(&tests);
                 }
             }
             if direct && plain {
@@ -321,11 +322,21 @@ impl Builder<'_> {
         self.fill_runs(&fill::FILL, tests, color, reason);
     }
 
-    /// The same with texels that are stored as they are, if they come from one image.
-    fn fill_texels(&mut self, tests: &Tests) {
-        if tests.stencil.is_none() && self.program.uniforms.copied.is_some() {
+    /// The same with texels that are stored as they are, if they come from one image, or with what such an image shows.
+    fn fill_textured(&mut self, tests: &Tests) {
+        if tests.stencil.is_some() {
+            return;
+        }
+        if self.program.uniforms.copied.is_some() {
             let reason = "only depth and texels as they are: one stage does whole runs of a row";
             self.fill_runs(&fill::FILL_TEXELS, tests, 0, reason);
+        } else if let Some(shown) = &self.program.uniforms.shown {
+            let stage = match shown.image {
+                Filtered::Rgb(_) => &fill::FILL_RGB,
+                Filtered::Rgba(_) => &fill::FILL_RGBA,
+                Filtered::Rgb3d(_) => &fill::FILL_RGB_3D,
+            };
+            self.fill_runs(stage, tests, 0, "only depth and one linear image: one stage does whole runs of a row");
         }
     }
 

@@ -2,6 +2,7 @@
 //! environments. Where nothing but the alpha test comes between the last environment and the store, its colour is rounded
 //! as it is made, or never leaves the packed form in which the texel was stored.
 
+use super::super::fill_linear::Shown;
 use super::super::fill_texels::Copied;
 use super::super::planes::UnitSlots;
 use super::super::program::{Action, Fate};
@@ -25,8 +26,9 @@ enum Leaves {
     Floats,
     /// As the texels that the one sampler found; the number is that of [`texel::PACK_TEXEL`].
     Texels(u32),
-    /// Rounded by the last unit's environment; the number is that of [`texel::ENV_PACK`].
-    Packed { unit: usize, number: u32 },
+    /// Rounded by the last unit's environment; the number is that of [`texel::ENV_PACK`]. The steps of colour and alpha where
+    /// that is the only environment and there is no alpha test.
+    Packed { unit: usize, number: u32, steps: Option<[texel::Step; 2]> },
 }
 
 /// What a half of an environment does, if it is one of the steps that can round at once. `operands` are those that read
@@ -89,15 +91,27 @@ impl Builder<'_> {
         } else {
             self.decide("colour", Fate::LeftOut, "no texture environment reads the primary colour");
         }
-        if let (Leaves::Texels(0), [(unit, sampler)]) = (leaves, samplers.as_slice())
+        if let [(unit, sampler)] = samplers.as_slice()
             && !self.has_q(*unit, false)
         {
-            self.program.uniforms.copied = sampler.copies().map(|from| Copied { unit: *unit as u32, from });
+            self.runs(*unit, sampler, leaves);
         }
         for (unit, sampler) in samplers {
             self.unit(unit, sampler);
         }
         self.environments(bases, leaves);
+    }
+
+    /// Notes what runs that are done as a whole need of the one sampler that there is.
+    fn runs(&mut self, unit: usize, sampler: &Sampler, leaves: Leaves) {
+        let (unit, uniforms) = (unit as u32, &mut self.program.uniforms);
+        match leaves {
+            Leaves::Texels(0) => uniforms.copied = sampler.copies().map(|from| Copied { unit, from }),
+            Leaves::Packed { steps: Some(steps), .. } => {
+                uniforms.shown = sampler.filters().map(|image| Shown { unit, image, steps });
+            }
+            _ => {}
+        }
     }
 
     /// The units of which nothing comes: a later environment starts anew, and none reads their texture.
@@ -201,7 +215,7 @@ impl Builder<'_> {
             self.program.environments = Some(environments);
             self.program.actions.push(Action::Environments);
         }
-        if let Leaves::Packed { unit, number } = leaves {
+        if let Leaves::Packed { unit, number, .. } = leaves {
             self.packed = true;
             self.push(&texel::ENV_PACK, number);
             self.decide(
@@ -236,7 +250,8 @@ impl Builder<'_> {
             Some(number) if one && color == texel::Step::Texel && sampler.pack() => Leaves::Texels(number | tested),
             _ => {
                 let later = if one { 0 } else { texel::LATER };
-                Leaves::Packed { unit, number: texel::env_pack(unit, [color, alpha], later | tested) }
+                let number = texel::env_pack(unit, [color, alpha], later | tested);
+                Leaves::Packed { unit, number, steps: (later | tested == 0).then_some([color, alpha]) }
             }
         }
     }

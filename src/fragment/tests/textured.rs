@@ -38,8 +38,9 @@ fn texture(r: &mut Random, format: GLenum, size: [u32; 2], filters: [GLenum; 2],
     object
 }
 
-/// A primitive with values for every slot of a layout; the same ones for layouts that differ in what they leave out.
-fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool) -> Scene {
+/// A primitive with values for every slot of a layout; the same ones for layouts that differ in what they leave out. With
+/// `flats` 1 all colours are white, with 2 alpha is the same everywhere.
+fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool, flats: u64) -> Scene {
     let size = [90.0, 20.0];
     let linear = |v: Corners| Linear { at: v[0], x: (v[1] - v[0]) / size[0], y: (v[2] - v[0]) / size[1] };
     let w: Corners = if affine { [1.0; 3] } else { [1.0, 0.2 + 0.8 * r.unit(), 0.3 + 0.7 * r.unit()] };
@@ -50,7 +51,13 @@ fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool) -> Scene {
     let mut pool = vec![Plane::default(); layout.count];
     let mut corners = |scale: f64| [r.unit() * scale, r.unit() * scale, r.unit() * scale];
     // Setup limits colours to those of the vertices, which are in 0..1: environments rely on it.
-    let colors: Vec<_> = (0..8).map(|_| Plane { min: 0.0, max: 1.0, ..plane(corners(0.5)) }).collect();
+    let mut colors: Vec<_> = (0..8).map(|_| Plane { min: 0.0, max: 1.0, ..plane(corners(0.5)) }).collect();
+    let flat = |v: f32| Plane { c: v, min: v, max: v, ..Plane::default() };
+    match flats {
+        1 => colors.fill(flat(1.0)),
+        2 => colors[3] = flat(0.6),
+        _ => {}
+    }
     for (slot, from) in [(layout.color, 0..4), (layout.secondary, 4..7), (layout.fog, 7..8)] {
         let Some(slot) = slot else { continue };
         for (k, from) in from.enumerate() {
@@ -117,7 +124,7 @@ fn same_bytes(
     format: &FramebufferFormat,
     units: [Option<&TextureObject>; 8],
 ) -> Vec<&'static str> {
-    let (affine, wide, seed) = (r.bool(), r.below(3) == 0, r.next());
+    let (affine, wide, seed, flats) = (r.bool(), r.below(3) == 0, r.next(), r.below(4));
     let (mut want, mut names) = (None, Vec::new());
     for level in Level::available() {
         for general in [true, false] {
@@ -125,7 +132,7 @@ fn same_bytes(
             let p = Program::build(level, state, units, format, options);
             names = p.stage_names();
             names.extend(p.fill.iter().map(|step| step.name));
-            let scene = scene(&mut Random::new(seed), &p.layout, affine, wide);
+            let scene = scene(&mut Random::new(seed), &p.layout, affine, wide, flats);
             for feed in Feed::ALL {
                 let mut f = Framebuffer::new(96, 20, *format).unwrap();
                 draw(&p, &scene, &mut f, feed, &[(0, [2, 0, 90, 20])]);
@@ -181,30 +188,50 @@ fn texels_that_become_pixels_at_once_are_the_same() {
         texels += usize::from(names.contains(&"PACK_TEXEL"));
         rounded += usize::from(names.contains(&"ENV_PACK") || names.contains(&"ENV_STORE"));
     }
-    assert!(texels > 20 && rounded > 60, "{texels} programs store texels, {rounded} round at once");
+    assert!(texels > 15 && rounded > 60, "{texels} programs store texels, {rounded} round at once");
+}
+
+/// A complete 3D texture of noise.
+fn volume(r: &mut Random, size: u32) -> TextureObject {
+    let mut object = TextureObject::new(Target::D3);
+    (object.parameters.min_filter, object.parameters.mag_filter) = (GL_LINEAR, GL_LINEAR);
+    let row = InternalFormat::find(GL_RGB8).unwrap();
+    let mut image = Image::new(row, Dimensions::Three, [size; 3], 0).unwrap();
+    if let Texels::Rgba8(texels) = &mut image.texels {
+        texels.iter_mut().for_each(|t| *t = row.base.expand_rgba8(r.next() as u32));
+    }
+    object.faces[0][0] = Some(Arc::new(image));
+    object
 }
 
 #[test]
-fn runs_that_copy_texels_give_the_same_bytes_as_batches() {
+fn whole_runs_give_the_same_bytes_as_batches() {
     let mut r = Random::new(5);
-    let mut runs = 0;
-    for case in 0..100 {
+    let mut runs = [0; 4];
+    for case in 0..300 {
         let mut state = State::default();
         (state.depth.test, state.depth.mask) = (r.bool(), r.bool());
         state.depth.func = r.pick(&[GL_LESS, GL_GREATER, GL_ALWAYS]);
-        state.texture.units[0].env.mode = GL_REPLACE;
+        state.texture.units[0].env.mode = r.pick(&[GL_REPLACE, GL_MODULATE]);
         let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
-        let wraps = [r.pick(&[GL_REPEAT, GL_CLAMP]), r.pick(&[GL_REPEAT, GL_CLAMP_TO_EDGE])];
         let size = r.pick(&[[16, 8], [64, 64], [12, 10], [2, 256]]);
-        let mut object = texture(&mut r, GL_RGBA8, size, [GL_NEAREST; 2], GL_REPEAT);
-        (object.parameters.wrap[0], object.parameters.wrap[1]) = (wraps[0], wraps[1]);
+        let filter = r.pick(&[GL_NEAREST, GL_LINEAR]);
+        let kind = r.pick(&[GL_RGBA8, GL_RGBA8, GL_RGB8]);
+        let mut object = match r.below(4) {
+            0 => volume(&mut r, [8, 6][case % 2]),
+            _ => texture(&mut r, kind, size, [filter; 2], GL_REPEAT),
+        };
+        let wraps = [r.pick(&[GL_REPEAT, GL_CLAMP]), r.pick(&[GL_REPEAT, GL_CLAMP_TO_EDGE]), GL_REPEAT];
+        object.parameters.wrap = wraps;
         prepare(&mut object).unwrap();
         let mut units = [None; 8];
         units[0] = Some(&object);
         let names = same_bytes(&mut r, case, &state, &format, units);
-        runs += usize::from(names.contains(&"FILL_TEXELS"));
+        for (n, name) in runs.iter_mut().zip(["FILL_TEXELS", "FILL_RGB", "FILL_RGBA", "FILL_RGB_3D"]) {
+            *n += usize::from(names.contains(&name));
+        }
     }
-    assert_eq!(runs, 100);
+    assert!(runs.iter().all(|n| *n > 20), "{runs:?} programs do whole runs");
 }
 
 #[test]

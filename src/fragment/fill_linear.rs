@@ -1,0 +1,244 @@
+//! Runs of a row, of any length, of programs that test depth and store what the environment of one linearly filtered 8-bit
+//! image gives (OpenGL 1.5, sections 3.8.8 and 3.8.13): what [`fill`](super::fill) does for interpolated colours. Coordinates,
+//! wraps, fetch, filter, environment, rounding and store follow each other block by block, without a batch in between. Every
+//! number comes from the same expressions as in the stages of batches, so the bits are the same.
+
+use super::along::{Along, Divisor, Form, divisor, range};
+use super::batch::Segment;
+use super::buffers::write;
+use super::coordinates::{Unit, unit};
+use super::fill::Source;
+use super::interpolate::primitive;
+use super::pack::{whole, whole_pixel};
+use super::planes::{Plane, Planes};
+use super::segments::IOTA;
+use super::texel::Step;
+use super::uniforms::{FragUniforms, Work};
+use crate::texture::filter::INV_255;
+use crate::texture::linear::{self, CHUNK, Pairs, RGB};
+use crate::texture::near;
+use crate::texture::sampler::Filtered;
+use crate::texture::uniforms::{MipLevel, WrappedImage};
+
+/// What a program does that filters one image: which, of which unit, and what the environment does with colour and alpha.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// The unit's index.
+    pub unit: u32,
+    /// The image.
+    pub image: Filtered,
+    /// What becomes of the colour, and of alpha.
+    pub(super) steps: [Step; 2],
+}
+
+/// Where a channel comes from besides the texel.
+#[derive(Clone, Copy)]
+enum Primary {
+    /// From nowhere: the texel stays as it is.
+    Texel,
+    /// The texel is multiplied with the primary colour.
+    Product(Along<f32>),
+    /// The primary colour takes its place.
+    Stays(Along<f32>),
+    /// It is the same in all of the run, and among the bits that are set in each pixel.
+    Constant,
+}
+
+/// What the environment makes of texels along a row.
+struct Environment {
+    /// Planes by which red, green and blue are multiplied, if they are.
+    color: Option<[Along<f32>; 3]>,
+    alpha: Primary,
+    /// Bits that are set in each pixel.
+    or: u32,
+}
+
+/// What all blocks of a run need.
+pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8> {
+    form: Form<K>,
+    wraps: [near::Form; K],
+    repeats: [bool; K],
+    level: &'a MipLevel,
+    environment: Environment,
+    /// D, if something is divided by it in `f32`.
+    d: Option<Divisor<f32>>,
+}
+
+/// The values of a plane from x on; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
+#[inline(always)]
+fn primary<const N: usize>(p: &Along<f32>, x: f32, rw: &[f32; N], even: bool) -> [f32; N] {
+    let mut out = [0.0; N];
+    if even {
+        for i in 0..N {
+            out[i] = p.even(x + IOTA[i]);
+        }
+    } else {
+        for i in 0..N {
+            out[i] = p.divided(x + IOTA[i], rw[i]);
+        }
+    }
+    out
+}
+
+impl Environment {
+    /// What the steps come to with these planes of the primary colour in the row y.
+    #[inline(always)]
+    fn new<const FORMAT: u8>([color, alpha]: [Step; 2], planes: Option<&[Plane; 4]>, y: f32, or: u32) -> Option<Self> {
+        let channels = match color {
+            Step::Texel => None,
+            Step::Product => {
+                let [r, g, b, _] = planes?;
+                // A product with 1 is what it was.
+                let white = [r, g, b].iter().all(|p| p.min == 1.0 && p.max == 1.0);
+                (!white).then(|| [Along::new(r, y), Along::new(g, y), Along::new(b, y)])
+            }
+            Step::Stays => return None,
+        };
+        // The texel's alpha is exactly 1 where it is not filtered.
+        let one = FORMAT == RGB;
+        let (alpha, constant) = match alpha {
+            Step::Texel if one => (Primary::Constant, 1.0),
+            Step::Texel => (Primary::Texel, 0.0),
+            step => {
+                let a = &planes?[3];
+                let known = a.min == a.max;
+                match step {
+                    Step::Product if !one && a.min == 1.0 && known => (Primary::Texel, 0.0),
+                    Step::Product if !one => (Primary::Product(Along::new(a, y)), 0.0),
+                    _ if known => (Primary::Constant, a.max),
+                    _ => (Primary::Stays(Along::new(a, y)), 0.0),
+                }
+            }
+        };
+        Some(Self { color: channels, alpha, or: or | whole(255.0 * constant) << 24 })
+    }
+
+    /// Whether it reads planes that are interpolated.
+    fn interpolates(&self) -> bool {
+        self.color.is_some() || matches!(self.alpha, Primary::Product(_) | Primary::Stays(_))
+    }
+
+    /// The pixels from x on of texels in 0..=1; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
+    #[inline(always)]
+    fn pixels<const N: usize>(
+        &self,
+        texels: &mut [[f32; N]; 4],
+        x: f32,
+        rw: &[f32; N],
+        even: bool,
+        out: &mut [u32; N],
+    ) {
+        let [r, g, b, a] = texels;
+        match &self.alpha {
+            Primary::Texel => {}
+            Primary::Product(plane) => {
+                let so_far = primary(plane, x, rw, even);
+                for i in 0..N {
+                    a[i] *= so_far[i];
+                }
+            }
+            Primary::Stays(plane) => *a = primary(plane, x, rw, even),
+            Primary::Constant => *a = [0.0; N],
+        }
+        let or = self.or;
+        if let Some([red, green, blue]) = &self.color {
+            let red = primary(red, x, rw, even);
+            let green = primary(green, x, rw, even);
+            let blue = primary(blue, x, rw, even);
+            for i in 0..N {
+                let (r, g, b) = (r[i] * red[i], g[i] * green[i], b[i] * blue[i]);
+                out[i] = whole_pixel(255.0 * r, 255.0 * g, 255.0 * b, 255.0 * a[i]) | or;
+            }
+        } else {
+            for i in 0..N {
+                out[i] = whole_pixel(255.0 * r[i], 255.0 * g[i], 255.0 * b[i], 255.0 * a[i]) | or;
+            }
+        }
+    }
+}
+
+/// The source of the row y of a segment's primitive, relative to its origin; `None` where batches must do it.
+#[inline(always)]
+pub(super) fn linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8>(
+    u: &FragUniforms,
+    w: &Work<'_, '_>,
+    segment: &Segment,
+    y: i32,
+    shown: &Shown,
+    image: &'a WrappedImage<K>,
+) -> Option<Linear<'a, K, ROWS, FORMAT>> {
+    let slots = u.layout.units.get(shown.unit as usize)?.as_ref()?;
+    let unit = unit::<K>(w, segment, slots, shown.unit)?;
+    let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
+    let environment = Environment::new::<FORMAT>(shown.steps, colors, y as f32, u.packed_or)?;
+    if environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0 {
+        return None;
+    }
+    Linear::new(&unit, image, y as f32, environment)
+}
+
+impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8> Linear<'a, K, ROWS, FORMAT> {
+    #[inline(always)]
+    fn new(unit: &Unit<'_, K>, image: &'a WrappedImage<K>, y: f32, environment: Environment) -> Option<Self> {
+        let (level, repeats) = (&image.level, image.repeats);
+        let mut wraps = [near::Form::Inside; K];
+        for k in 0..K {
+            let n = level.size[k];
+            wraps[k] = near::Form::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
+        }
+        let form = Form::new(unit, y);
+        let divides = matches!(form, Form::Divided(..)) || environment.interpolates();
+        let d = (divides && !unit.planes.affine).then(|| divisor(&unit.planes.d, y));
+        Some(Self { form, wraps, repeats, level, environment, d })
+    }
+
+    /// The pixels from x on.
+    #[inline(always)]
+    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        let x = x as f32;
+        let mut rw = [1.0; N];
+        if let Some([at, step]) = self.d {
+            for i in 0..N {
+                rw[i] = 1.0 / (at + step * (x + IOTA[i]));
+            }
+        }
+        let coordinates = self.form.values(x, &rw, &self.repeats);
+        let (steps, mut at) = ([1, self.level.stride, self.level.slice], [self.level.origin; N]);
+        let mut weights = [[0.0; N]; 3];
+        for k in 0..K {
+            let (n, step) = (self.level.size[k], steps[k]);
+            self.wraps[k].run(&coordinates[k], n, n, &mut weights[k], |i, index| {
+                at[i] = at[i].wrapping_add(index.cast_unsigned().wrapping_mul(step));
+            });
+        }
+        let mut rows = [Pairs::<N>::NONE; ROWS];
+        linear::fetch_at(&mut rows, self.level, &at);
+        let mut texels = [[0.0; N]; 4];
+        for start in (0..N).step_by(CHUNK) {
+            let [s, t, r] = &weights;
+            let chunk = linear::blend::<ROWS, FORMAT, N>(&rows, [s, t, r], start, INV_255);
+            for c in 0..4 {
+                if let Some(to) = texels[c].get_mut(start..).and_then(|to| to.first_chunk_mut()) {
+                    *to = chunk[c];
+                }
+            }
+        }
+        self.environment.pixels(&mut texels, x, &rw, self.d.is_none(), out);
+    }
+}
+
+impl<const K: usize, const ROWS: usize, const FORMAT: u8> Source for Linear<'_, K, ROWS, FORMAT> {
+    #[inline(always)]
+    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
+        let mut pixels = [0; N];
+        self.pixels(x, &mut pixels);
+        *to = pixels;
+    }
+
+    #[inline(always)]
+    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
+        let mut pixels = [0; N];
+        self.pixels(x, &mut pixels);
+        write(false, mask, &pixels, to);
+    }
+}
