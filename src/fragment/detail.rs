@@ -11,6 +11,7 @@
 //! it, or for as much as was of use before.
 
 use super::coordinates::Unit;
+use crate::batch::LANES;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::texture::batch::{Detail, TexBatch};
 use crate::texture::lod::Levels;
@@ -138,6 +139,31 @@ pub(super) fn of_row<const K: usize>(
             ahead.reach[index] = pixels / 2;
             ahead.blended |= u32::from(levels.blends) << index;
             Detail::Lanes
+        }
+    }
+}
+
+/// The only level that the next pixels of a run read, of which so many are left from (x, y) on, and how many do; `None` where
+/// limits do not tell for as many as a batch has.
+#[inline(always)]
+pub(super) fn part<const K: usize>(
+    ahead: &mut Ahead,
+    index: u32,
+    b: &TexBatch,
+    unit: &Unit<'_, K>,
+    (x, y, left): (i32, i32, u32),
+    levels: &Levels,
+) -> Option<(u32, u32)> {
+    let reach = ahead.reach.get_mut(index as usize)?;
+    loop {
+        let pixels = (*reach).max(LANES as u32).min(left);
+        if let Some(level) = only(b, unit, (x, y, pixels), levels) {
+            *reach = (2 * *reach).clamp(LANES as u32, FARTHEST);
+            return Some((level, pixels));
+        }
+        *reach = pixels / 2;
+        if pixels <= LANES as u32 {
+            return None;
         }
     }
 }

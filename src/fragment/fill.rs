@@ -6,10 +6,12 @@
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::write;
 use super::compare::{Func, compare, holds, living};
+use super::coordinates::{Unit, unit};
 use super::depth::WRITE;
 use super::depth_rows::{Slope, coarse, hidden, lanes, look};
-use super::fill_linear::{Shown, linear};
-use super::fill_texels::texels;
+use super::detail;
+use super::fill_linear::{Linear, Shown};
+use super::fill_texels::Texels;
 use super::interpolate::primitive;
 use super::pack::Paint;
 use super::planes::Planes;
@@ -170,6 +172,28 @@ fn run<S: Source>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>
     done
 }
 
+/// The part of a run, with `left` pixels from (x, y) on, that one image serves, and its level; `None` at the end, and where
+/// there are levels and no limits tell which.
+#[inline(always)]
+fn part<const K: usize>(
+    b: &mut FragmentBatch,
+    u: &FragUniforms,
+    (unit, index): (&Unit<'_, K>, u32),
+    (x, y, left): (i32, i32, u32),
+) -> Option<(u32, u32)> {
+    match u.levels.get(index as usize) {
+        _ if left == 0 => None,
+        Some(Some(levels)) => detail::part(&mut b.ahead, index, &b.tex, unit, (x, y, left), levels),
+        _ => Some((0, left)),
+    }
+}
+
+/// What is left of a run when so many of its pixels are done.
+#[inline(always)]
+fn rest(run: &Segment, done: u32, len: u32) -> Segment {
+    Segment { x: run.x.wrapping_add(done as i32), offset: run.offset.wrapping_add(done), len, ..*run }
+}
+
 /// The run of the first segment, filtered; as [`FILL_TEXELS`].
 #[inline(always)]
 fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8>(
@@ -183,9 +207,21 @@ fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8>(
     let segment = b.segments[0];
     let (Some(planes), Some(shown)) = (w.planes.get(segment.prim as usize), &u.shown) else { return };
     let (x, y) = row_origin(&segment, planes);
-    let Some(source) = linear::<K, ROWS, FORMAT>(u, w, &segment, y, shown, image) else { return };
-    let depth = depth_test(planes, (x, y, segment.len), u, arg);
-    b.tex.n = run(w, &segment, x, &Run { depth, source: Some(source) });
+    let Some(Some(slots)) = u.layout.units.get(shown.unit as usize) else { return };
+    let Some(unit) = unit::<K>(w, &segment, slots, shown.unit) else { return };
+    let mut done = 0;
+    while let Some((level, n)) = part(b, u, (&unit, shown.unit), (x.wrapping_add(done as i32), y, segment.len - done)) {
+        let (part, x) = (rest(&segment, done, n), x.wrapping_add(done as i32));
+        let (row, of) = ((&part, y as f32), (&unit, shown.steps));
+        let Some(source) = Linear::<K, ROWS, FORMAT>::new(u, w, row, of, (image, level)) else { break };
+        let depth = depth_test(planes, (x, y, n), u, arg);
+        let did = run(w, &part, x, &Run { depth, source: Some(source) }) as u32;
+        done += did;
+        if did < n {
+            break;
+        }
+    }
+    b.tex.n = done as usize;
 }
 
 stage! {
@@ -223,9 +259,23 @@ stage! {
         let segment = b.segments[0];
         let Some(planes) = w.planes.get(segment.prim as usize) else { return };
         let (x, y) = row_origin(&segment, planes);
-        let Some(source) = texels(u, w, &segment, y) else { return };
-        let depth = depth_test(planes, (x, y, segment.len), u, arg);
-        b.tex.n = run(w, &segment, x, &Run { depth, source: Some(source) });
+        let Some(copied) = &u.copied else { return };
+        let Some(Some(slots)) = u.layout.units.get(copied.unit as usize) else { return };
+        let Some(unit) = unit::<2>(w, &segment, slots, copied.unit) else { return };
+        let mut done = 0;
+        while let Some((level, n)) =
+            part(b, u, (&unit, copied.unit), (x.wrapping_add(done as i32), y, segment.len - done))
+        {
+            let (part, x) = (rest(&segment, done, n), x.wrapping_add(done as i32));
+            let Some(source) = Texels::new(&unit, &copied.from, level, y as f32, u.packed_or) else { break };
+            let depth = depth_test(planes, (x, y, n), u, arg);
+            let did = run(w, &part, x, &Run { depth, source: Some(source) }) as u32;
+            done += did;
+            if did < n {
+                break;
+            }
+        }
+        b.tex.n = done as usize;
     }
 
     /// The same with what one linearly filtered image shows: three channels in two dimensions.

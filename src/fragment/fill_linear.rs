@@ -6,7 +6,7 @@
 use super::along::{Along, Divisor, Form, divisor, range};
 use super::batch::Segment;
 use super::buffers::write;
-use super::coordinates::{Unit, unit};
+use super::coordinates::Unit;
 use super::fill::Source;
 use super::interpolate::primitive;
 use super::pack::{whole, whole_pixel};
@@ -157,30 +157,22 @@ impl Environment {
     }
 }
 
-/// The source of the row y of a segment's primitive, relative to its origin; `None` where batches must do it.
-#[inline(always)]
-pub(super) fn linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8>(
-    u: &FragUniforms,
-    w: &Work<'_, '_>,
-    segment: &Segment,
-    y: i32,
-    shown: &Shown,
-    image: &'a WrappedImage<K>,
-) -> Option<Linear<'a, K, ROWS, FORMAT>> {
-    let slots = u.layout.units.get(shown.unit as usize)?.as_ref()?;
-    let unit = unit::<K>(w, segment, slots, shown.unit)?;
-    let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
-    let environment = Environment::new::<FORMAT>(shown.steps, colors, y as f32, u.packed_or)?;
-    if environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0 {
-        return None;
-    }
-    Linear::new(&unit, image, y as f32, environment)
-}
-
 impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8> Linear<'a, K, ROWS, FORMAT> {
+    /// The source of a row of a segment's primitive, with the images' level; `None` where batches must do it.
     #[inline(always)]
-    fn new(unit: &Unit<'_, K>, image: &'a WrappedImage<K>, y: f32, environment: Environment) -> Option<Self> {
-        let (level, repeats) = (&image.level, image.repeats);
+    pub(super) fn new(
+        u: &FragUniforms,
+        w: &Work<'_, '_>,
+        (segment, y): (&Segment, f32),
+        (unit, steps): (&Unit<'_, K>, [Step; 2]),
+        (image, level): (&'a WrappedImage<K>, u32),
+    ) -> Option<Self> {
+        let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
+        let environment = Environment::new::<FORMAT>(steps, colors, y, u.packed_or)?;
+        if environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0 {
+            return None;
+        }
+        let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
         let mut wraps = [near::Form::Inside; K];
         for k in 0..K {
             let n = level.size[k];

@@ -5,22 +5,20 @@
 //! the framebuffer. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
 use super::along::{Form, range};
-use super::batch::Segment;
 use super::buffers::write;
-use super::coordinates::{Unit, unit};
+use super::coordinates::Unit;
 use super::fill::Source;
 use super::segments::IOTA;
-use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::{self, neighbours};
 use crate::texture::near::Near;
 use crate::texture::uniforms::WrappedImage;
 
-/// The image that a program copies texels from, and the unit whose coordinates say which.
+/// The images that a program copies texels from, and the unit whose coordinates say which.
 #[derive(Clone, Debug)]
 pub struct Copied {
     /// The unit's index.
     pub unit: u32,
-    /// The image and its wraps.
+    /// The images and their wraps.
     pub from: WrappedImage<2>,
 }
 
@@ -36,21 +34,12 @@ pub(super) struct Texels<'a> {
     or: u32,
 }
 
-/// The texels of the row y of a segment's primitive, relative to its origin; `None` where batches must find them.
-#[inline(always)]
-pub(super) fn texels<'a>(u: &'a FragUniforms, w: &Work<'a, '_>, segment: &Segment, y: i32) -> Option<Texels<'a>> {
-    let copied = u.copied.as_ref()?;
-    let slots = u.layout.units.get(copied.unit as usize)?.as_ref()?;
-    let unit = unit::<2>(w, segment, slots, copied.unit)?;
-    Texels::new(&unit, &copied.from, y as f32, u.packed_or)
-}
-
 impl<'a> Texels<'a> {
-    /// The texels of a row of a primitive; `None` where something is not as it is as a rule: coordinates that are not
+    /// The texels, of a level, of a row of a primitive; `None` where something is not as it is as a rule: coordinates that are not
     /// finite or too far from 0 for the simple wrap.
     #[inline(always)]
-    fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, y: f32, or: u32) -> Option<Self> {
-        let (level, repeats) = (&image.level, image.repeats);
+    pub(super) fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, y: f32, or: u32) -> Option<Self> {
+        let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
         let wrap = |k: usize| Near::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
         let (column, row) = (wrap(0)?, wrap(1)?);
         let (origin, stride, texels) = (level.origin, level.stride, filter::texels(level));

@@ -95,6 +95,8 @@ pub struct Program {
     pub(super) fill: Option<Step<FragFn>>,
     /// Whether that stage reads no texture.
     pub(super) light: bool,
+    /// Whether that stage leaves out what reads several levels of a texture.
+    pub(super) levelled: bool,
     /// The stage that says which pixels of a run the coarse depths hide.
     pub(super) hidden: Option<Step<FragFn>>,
     /// The stage that tells the coarse depths of what a run has left behind.
@@ -188,25 +190,29 @@ impl Program {
         band: &mut Band<'_>,
     ) -> u32 {
         let (len, pool) = (run.len, pool.into());
-        let mut done = 0;
-        if let Some(step) = &self.fill {
-            if self.raises_depth {
-                band.coarse.forget();
-            }
-            done = self.measure(step, batch, run, Work { planes, pool, band });
-            if self.light || done == len {
-                return done;
-            }
-        }
         let rest = |done: u32| {
             let (x, offset) = (run.x.wrapping_add(done as i32), run.offset.wrapping_add(done));
             Segment { start: 0, len: len - done, x, offset, row: true, ..run }
         };
+        if self.fill.is_some() && self.raises_depth {
+            band.coarse.forget();
+        }
+        let (mut done, mut fill) = (0, self.fill.as_ref());
         // The first pixel that was worked on, and the first after those that were.
         let (mut first, mut last) = (len, 0);
         batch.alive = false;
-        batch.ahead.begin(len - done);
-        while len - done >= SPLIT {
+        batch.ahead.begin(len);
+        loop {
+            if let Some(step) = fill {
+                let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
+                batch.ahead.advance(filled);
+                done += filled;
+                // What was in its way for one batch may not be for the next one, where it has to know the level.
+                fill = fill.filter(|_| self.levelled);
+            }
+            if self.light || len - done < SPLIT {
+                break;
+            }
             if let Some(step) = &self.hidden
                 && !batch.alive
             {

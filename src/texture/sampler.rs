@@ -282,23 +282,28 @@ impl Sampler {
         true
     }
 
-    /// The image and its wraps, if the sampler does nothing but this stage, the base level's.
+    /// The images and their wraps, if the sampler does nothing but this stage: on the base level, or on the nearest one where
+    /// it has [`Sampler::levels`].
     fn only<const K: usize>(&self, stage: &Stage<TexFn>, flags: u32) -> Option<WrappedImage<K>> {
-        let [step] = self.plan.steps.as_slice() else { return None };
+        let step = match (self.plan.steps.as_slice(), &self.levels) {
+            ([step], None) => step,
+            ([level, step], Some(_)) if level.name == lod::nearest_level_stage(K).name => step,
+            _ => return None,
+        };
         let wraps = (0..3).fold(0, |bits, c| bits | filter::REPEATS << c);
-        let level = self.uniforms.images.first()?.clone();
         let this = step.name == stage.name && step.arg & !wraps == flags;
-        this.then(|| WrappedImage { level, repeats: std::array::from_fn(|c| step.arg & filter::REPEATS << c != 0) })
+        let repeats = std::array::from_fn(|c| step.arg & filter::REPEATS << c != 0);
+        this.then(|| WrappedImage { levels: self.uniforms.images.clone(), repeats })
     }
 
-    /// The image and its wraps, if the sampler does nothing but give its nearest texels, packed, by a wrap that
+    /// The images and their wraps, if the sampler does nothing but give its nearest texels, packed, by a wrap that
     /// [`Near`](super::near::Near) knows.
     #[must_use]
     pub fn copies(&self) -> Option<WrappedImage<2>> {
         self.only(&filter::WRAP_NEAREST_2D_PACKED, 0)
     }
 
-    /// The image and its wraps, if the sampler does nothing but filter it linearly, by wraps that
+    /// The images and their wraps, if the sampler does nothing but filter one of them linearly, by wraps that
     /// [`Form`](super::near::Form) knows.
     #[must_use]
     pub fn filters(&self) -> Option<Filtered> {

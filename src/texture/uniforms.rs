@@ -42,11 +42,11 @@ impl MipLevel {
     }
 }
 
-/// The one image of 8-bit texels that a sampler reads, of K dimensions.
+/// The images of 8-bit texels that a sampler reads, of K dimensions: one, or one of many levels.
 #[derive(Clone, Debug)]
 pub struct WrappedImage<const K: usize> {
-    /// The image.
-    pub level: MipLevel,
+    /// The images, from the base level on; only the first is read where the sampler has no levels to choose from.
+    pub levels: Vec<MipLevel>,
     /// For each coordinate whether it is wrapped by REPEAT; by CLAMP or CLAMP_TO_EDGE where not.
     pub repeats: [bool; K],
 }

@@ -66,6 +66,7 @@ impl Program {
             actions: Vec::new(),
             fill: None,
             light: false,
+            levelled: false,
             hidden: None,
             look: None,
             raises_depth: false,
@@ -345,6 +346,7 @@ impl Builder<'_> {
         let depth = tests.depth.map_or(0, |func| fill::DEPTH | (func as u32) << 1 | writes);
         let run = stage.levels[self.level as usize];
         self.program.fill = Some(Step { name: stage.name, run, arg: depth | flags });
+        self.program.levelled = !self.program.light && self.program.uniforms.levels.iter().any(Option::is_some);
         self.decide("long runs", Fate::Hoisted, reason);
     }
 

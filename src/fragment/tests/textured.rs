@@ -207,19 +207,24 @@ fn volume(r: &mut Random, size: u32) -> TextureObject {
 #[test]
 fn whole_runs_give_the_same_bytes_as_batches() {
     let mut r = Random::new(5);
-    let mut runs = [0; 4];
-    for case in 0..300 {
+    let (mut runs, mut levels) = ([0; 4], 0);
+    for case in 0..400 {
         let mut state = State::default();
         (state.depth.test, state.depth.mask) = (r.bool(), r.bool());
         state.depth.func = r.pick(&[GL_LESS, GL_GREATER, GL_ALWAYS]);
         state.texture.units[0].env.mode = r.pick(&[GL_REPLACE, GL_MODULATE]);
         let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
         let size = r.pick(&[[16, 8], [64, 64], [12, 10], [2, 256]]);
-        let filter = r.pick(&[GL_NEAREST, GL_LINEAR]);
+        let filters = r.pick(&[
+            [GL_NEAREST; 2],
+            [GL_LINEAR; 2],
+            [GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST],
+            [GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR],
+        ]);
         let kind = r.pick(&[GL_RGBA8, GL_RGBA8, GL_RGB8]);
         let mut object = match r.below(4) {
             0 => volume(&mut r, [8, 6][case % 2]),
-            _ => texture(&mut r, kind, size, [filter; 2], GL_REPEAT),
+            _ => texture(&mut r, kind, size, filters, GL_REPEAT),
         };
         let wraps = [r.pick(&[GL_REPEAT, GL_CLAMP]), r.pick(&[GL_REPEAT, GL_CLAMP_TO_EDGE]), GL_REPEAT];
         object.parameters.wrap = wraps;
@@ -230,8 +235,10 @@ fn whole_runs_give_the_same_bytes_as_batches() {
         for (n, name) in runs.iter_mut().zip(["FILL_TEXELS", "FILL_RGB", "FILL_RGBA", "FILL_RGB_3D"]) {
             *n += usize::from(names.contains(&name));
         }
+        let filled = names.last().is_some_and(|name| name.starts_with("FILL"));
+        levels += usize::from(filled && names.contains(&"NEAREST_LEVEL_2D"));
     }
-    assert!(runs.iter().all(|n| *n > 20), "{runs:?} programs do whole runs");
+    assert!(runs.iter().all(|n| *n > 20) && levels > 50, "{runs:?} programs do whole runs, {levels} of one level each");
 }
 
 #[test]
