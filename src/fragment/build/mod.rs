@@ -20,6 +20,7 @@ use crate::framebuffer::FramebufferFormat;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::state::State;
+use crate::texture::lod::Levels;
 use crate::texture::object::TextureObject;
 use crate::texture::sampler::Filtered;
 
@@ -346,7 +347,9 @@ impl Builder<'_> {
         let depth = tests.depth.map_or(0, |func| fill::DEPTH | (func as u32) << 1 | writes);
         let run = stage.levels[self.level as usize];
         self.program.fill = Some(Step { name: stage.name, run, arg: depth | flags });
-        self.program.levelled = !self.program.light && self.program.uniforms.levels.iter().any(Option::is_some);
+        // Where levels are blended, they are so up to the end of a run, as a rule.
+        let nearest = |levels: &Option<Levels>| levels.as_ref().is_some_and(|levels| !levels.blends);
+        self.program.levelled = !self.program.light && self.program.uniforms.levels.iter().any(nearest);
         self.decide("long runs", Fate::Hoisted, reason);
     }
 
