@@ -21,6 +21,10 @@ pub(crate) enum Primitive {
     Stale,
 }
 
+/// Batches from which on a Begin/End is long: it may come to as much again, so another thread is worth its start, whom End
+/// has to wait for.
+pub(super) const LONG: usize = 96;
+
 /// A mode of Begin and of the draw commands, or INVALID_ENUM.
 pub(crate) fn check_mode(mode: GLenum) -> Outcome {
     if mode <= GL_POLYGON {
@@ -48,6 +52,7 @@ impl Engine {
         check_mode(mode)?;
         self.validate();
         self.primitive = Primitive::Inside;
+        self.batches = 0;
         self.pipe.begin(mode);
         Ok(())
     }
@@ -88,12 +93,13 @@ impl Engine {
         }
     }
 
-    /// Runs the full batch. Where several threads draw, the vertices of a long primitive are collected for them first; of
-    /// two threads, one that walks gets some of them.
+    /// Runs the full batch. Where several threads draw, the vertices of a long primitive are collected for them first. Two
+    /// threads share out small triangles in another way: one walks, and gets some of the vertices.
     fn batch_is_full(&mut self) {
+        self.batches += 1;
         let collects = match self.config.threads {
             1 => false,
-            2 => self.scene.is_hungry() || self.pipe.has_collected(),
+            2 => self.scene.is_hungry() || self.scene.is_heavy() || self.pipe.has_collected(),
             _ => true,
         };
         if collects && self.scene.can_be_cut() && self.pipe.collect() {
@@ -104,7 +110,7 @@ impl Engine {
     }
 
     fn draw_collected(&mut self) {
-        if self.config.threads == 2 {
+        if self.scene.is_walking() {
             if let Some(piece) = self.pipe.take_piece(&self.pieces) {
                 self.scene.set_up(piece);
             }

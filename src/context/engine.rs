@@ -53,6 +53,8 @@ pub(crate) struct Engine {
     pub(crate) buffers: Buffers,
     /// Whether a Begin has no End yet.
     pub(crate) primitive: Primitive,
+    /// Full batches since the last Begin.
+    pub(crate) batches: usize,
     /// Vertices on their way to primitives.
     pub(crate) pipe: Pipe,
     /// What threads beside this one need for large draws.
@@ -105,6 +107,7 @@ impl Engine {
             proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),
             buffers: Buffers::default(),
             primitive: Primitive::default(),
+            batches: 0,
             pipe: Pipe::new(config.level, config.batch_cut),
             lanes: Vec::new(),
             pieces: Pieces::default(),

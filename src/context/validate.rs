@@ -2,6 +2,7 @@
 //! which the rooms depend on each other (textures, fragment program, rasteriser state, vertex plan). Nothing is rebuilt
 //! that is not stale, and nothing else in the engine builds a plan.
 
+use super::begin_end::LONG;
 use super::engine::Engine;
 use crate::batch::{Counters, Tally};
 use crate::enums::{GL_FILL, name};
@@ -130,7 +131,7 @@ impl Engine {
         if self.scene.is_full() {
             let passed = self.scene.make_room(&mut self.framebuffer, self.config.threads);
             self.queries.passed += passed;
-        } else if self.inside_begin_end() {
+        } else if self.batches >= LONG && self.inside_begin_end() {
             self.scene.hand_over(&mut self.framebuffer, self.config.threads);
         }
     }

@@ -38,7 +38,7 @@ const LARGE: usize = 4 << 20;
 /// against waking a thread. With 256 KiB the whole frame takes 9 % longer, with 1 MiB as long.
 const LOAD: usize = 512 << 10;
 /// Pixels of a primitive, on average, up to which a scene is walked in loads; with more, all threads share the walk.
-const FEW: u64 = 32;
+const FEW: u64 = 16;
 
 /// Draws and primitives that wait for a flush.
 #[derive(Debug)]
@@ -56,6 +56,7 @@ pub struct Scene<P> {
     walker: Option<Walker<P>>,
     empties: Empties,
     is_hungry: bool,
+    is_heavy: bool,
 }
 
 /// What the primitives of a draw are set up with, and where they are kept.
@@ -158,6 +159,7 @@ impl<P: Shader> Scene<P> {
             walker: None,
             empties: Empties::default(),
             is_hungry: false,
+            is_heavy: false,
         }
     }
 
@@ -178,6 +180,7 @@ impl<P: Shader> Scene<P> {
     pub fn begin_draw(&mut self, draw: Arc<Draw<P>>) -> u32 {
         self.settle();
         self.recipe.set_draw(draw.program.layout(), &draw.raster);
+        self.is_heavy = false;
         self.draws.push(draw);
         (self.draws.len() - 1) as u32
     }
@@ -322,7 +325,11 @@ impl<P: Shader + 'static> Scene<P> {
     /// Hands the primitives that wait over to a thread that walks them while others are drawn, if they are many and small
     /// and the thread has little to do. From then on the framebuffer is away, until somebody [waits](Self::wait).
     pub fn hand_over(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
-        if threads < 2 || self.memory() < LOAD || self.geometry.pixels > FEW * self.geometry.prims.len() as u64 {
+        if threads < 2 || self.memory() < LOAD {
+            return;
+        }
+        if self.geometry.pixels > FEW * self.geometry.prims.len() as u64 {
+            self.is_heavy = self.walker.is_none();
             return;
         }
         self.settle();
@@ -336,6 +343,12 @@ impl<P: Shader + 'static> Scene<P> {
             // A primitive that has come so far may end before more is collected.
             self.is_hungry = !is_first && has_little(self);
         }
+    }
+
+    /// Whether the primitives of this draw, of which there are many, are so large that threads had better share their walk.
+    #[must_use]
+    pub fn is_heavy(&self) -> bool {
+        self.is_heavy
     }
 
     /// Whether the thread would take primitives to set up, besides what it has: it has walked faster than others set up.
