@@ -176,6 +176,18 @@ fn what_is_drawn_while_a_primitive_goes_on_is_the_same() {
 }
 
 #[test]
+fn larger_triangles_are_the_same_and_so_is_what_comes_after_them() {
+    let (wide, high) = (5, 5 * (SIDE as u32 + 1));
+    let corners = (0..(SIDE as u32 + 1) * (SIDE as u32 - 5)).filter(|at| at % (SIDE as u32 + 1) < SIDE as u32 - wide);
+    let large: Vec<u32> = corners.flat_map(|at| [at, at + wide, at + high]).collect();
+    let small = triangles();
+    same(|gl| {
+        issue(gl, GL_TRIANGLES, &large.repeat(6), |_, _| {});
+        issue(gl, GL_TRIANGLES, &small.repeat(2), |_, _| {});
+    });
+}
+
+#[test]
 fn who_looks_between_begin_and_end_sees_what_was_drawn() {
     let list = triangles().repeat(3);
     let looks = |threads: usize| {
