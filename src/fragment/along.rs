@@ -27,6 +27,12 @@ impl Along<f32> {
         Self { at: p.n0 as f32 + p.ny as f32 * y, x: p.nx as f32, c: p.c, min: p.min, max: p.max }
     }
 
+    /// A plane that is the same everywhere.
+    #[inline(always)]
+    pub(super) fn constant(v: f32) -> Self {
+        Self { at: 0.0, x: 0.0, c: v, min: v, max: v }
+    }
+
     /// The value at x where w is the same everywhere.
     #[inline(always)]
     pub(super) fn even(&self, x: f32) -> f32 {

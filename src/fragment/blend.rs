@@ -156,15 +156,15 @@ fn combine(b: &mut FragmentBatch, u: &FragUniforms, c: usize, f: impl Fn(f32, f3
 /// Blending of packed pixels in one loop: `f` of source and framebuffer in 0..=255, the source's channel and its alpha in
 /// [0, 1]. All are positive, so a sum of products needs a limit above only.
 #[inline(always)]
-fn packed(
-    color: &[Lanes; 4],
-    dst: &[u32; LANES],
+fn packed<const N: usize>(
+    color: &[[f32; N]; 4],
+    dst: &[u32; N],
     or: u32,
-    out: &mut [u32; LANES],
+    out: &mut [u32; N],
     f: impl Fn(f32, f32, f32, f32) -> f32,
 ) {
     let [red, green, blue, alpha] = color;
-    for i in 0..LANES {
+    for i in 0..N {
         let p = dst[i];
         let a = clamp01(alpha[i]);
         let channel = |v: f32, shift: u32| {
@@ -179,8 +179,14 @@ fn packed(
 
 /// The usual pairs of factors, by number (see [`PACKED_PAIRS`]).
 #[inline(always)]
-fn pair(color: &[Lanes; 4], dst: &[u32; LANES], u: &FragUniforms, out: &mut [u32; LANES], number: u32) {
-    let (unit, or) = (1.0 / u.scale, u.packed_or);
+pub(super) fn pair<const N: usize>(
+    color: &[[f32; N]; 4],
+    dst: &[u32; N],
+    (scale, or): (f32, u32),
+    out: &mut [u32; N],
+    number: u32,
+) {
+    let unit = 1.0 / scale;
     match number {
         0 => packed(color, dst, or, out, |s, d, _, a| s * a + d * (1.0 - a)),
         1 => packed(color, dst, or, out, |s, d, _, a| s + d * (1.0 - a)),
@@ -215,14 +221,14 @@ stage! {
     /// The usual pairs of factors on packed pixels, by number (see [`PACKED_PAIRS`]): what [`BLEND`] between unpacking and
     /// packing gives, without the products by 0 and 1.
     pub(super) fn BLEND_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
-        pair(&b.tex.previous, &b.packed_dst, u, &mut b.packed, arg);
+        pair(&b.tex.previous, &b.packed_dst, (u.scale, u.packed_or), &mut b.packed, arg);
     }
 
     /// [`LOAD`](super::pack::LOAD), [`BLEND_PACKED`] and [`STORE`](super::pack::STORE) where nothing comes between them.
     pub(super) fn BLEND_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let (mut dst, mut out) = ([0; LANES], [0; LANES]);
         load(places!(b), w.band.rgba8, &mut dst);
-        pair(&b.tex.previous, &dst, u, &mut out, arg);
+        pair(&b.tex.previous, &dst, (u.scale, u.packed_or), &mut out, arg);
         store(places!(b), &b.tex.mask, &out, w.band.rgba8);
     }
 }

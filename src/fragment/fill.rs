@@ -196,7 +196,7 @@ fn rest(run: &Segment, done: u32, len: u32) -> Segment {
 
 /// The run of the first segment, filtered; as [`FILL_TEXELS`].
 #[inline(always)]
-fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8>(
+fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool>(
     b: &mut FragmentBatch,
     u: &FragUniforms,
     w: &mut Work<'_, '_>,
@@ -212,8 +212,8 @@ fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8>(
     let mut done = 0;
     while let Some((level, n)) = part(b, u, (&unit, shown.unit), (x.wrapping_add(done as i32), y, segment.len - done)) {
         let (part, x) = (rest(&segment, done, n), x.wrapping_add(done as i32));
-        let (row, of) = ((&part, y as f32), (&unit, shown.steps));
-        let Some(source) = Linear::<K, ROWS, FORMAT>::new(u, w, row, of, (image, level)) else { break };
+        let (row, of) = ((&part, y as f32), (&unit, shown));
+        let Some(source) = Linear::<K, ROWS, FORMAT, BLENDED>::new(u, w, row, of, (image, level)) else { break };
         let depth = depth_test(planes, (x, y, n), u, arg);
         let did = run(w, &part, x, &Run { depth, source: Some(source) }) as u32;
         done += did;
@@ -281,18 +281,30 @@ stage! {
     /// The same with what one linearly filtered image shows: three channels in two dimensions.
     pub(super) fn FILL_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(Shown { image: Filtered::Rgb(image), .. }) = &u.shown else { return };
-        filtered::<2, 2, RGB>(b, u, w, arg, image);
+        filtered::<2, 2, RGB, false>(b, u, w, arg, image);
     }
 
     /// [`FILL_RGB`] with four channels.
     pub(super) fn FILL_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(Shown { image: Filtered::Rgba(image), .. }) = &u.shown else { return };
-        filtered::<2, 2, RGBA>(b, u, w, arg, image);
+        filtered::<2, 2, RGBA, false>(b, u, w, arg, image);
     }
 
     /// [`FILL_RGB`] in three dimensions.
     pub(super) fn FILL_RGB_3D: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(Shown { image: Filtered::Rgb3d(image), .. }) = &u.shown else { return };
-        filtered::<3, 4, RGB>(b, u, w, arg, image);
+        filtered::<3, 4, RGB, false>(b, u, w, arg, image);
+    }
+
+    /// [`FILL_RGB`] with blending.
+    pub(super) fn FILL_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let Some(Shown { image: Filtered::Rgb(image), .. }) = &u.shown else { return };
+        filtered::<2, 2, RGB, true>(b, u, w, arg, image);
+    }
+
+    /// [`FILL_RGBA`] with blending.
+    pub(super) fn FILL_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        let Some(Shown { image: Filtered::Rgba(image), .. }) = &u.shown else { return };
+        filtered::<2, 2, RGBA, true>(b, u, w, arg, image);
     }
 }

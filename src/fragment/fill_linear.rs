@@ -5,6 +5,7 @@
 
 use super::along::{Along, Divisor, Form, divisor, range};
 use super::batch::Segment;
+use super::blend::pair;
 use super::buffers::write;
 use super::coordinates::Unit;
 use super::fill::Source;
@@ -29,6 +30,8 @@ pub struct Shown {
     pub image: Filtered,
     /// What becomes of the colour, and of alpha.
     pub(super) steps: [Step; 2],
+    /// The number of the pair of factors by which the outcome is blended, if it is.
+    pub(super) blend: Option<u32>,
 }
 
 /// Where a channel comes from besides the texel.
@@ -51,10 +54,12 @@ struct Environment {
     alpha: Primary,
     /// Bits that are set in each pixel.
     or: u32,
+    /// The number of the pair of factors that it is blended by, if it is, and the unit of the store.
+    blend: Option<(u32, f32)>,
 }
 
 /// What all blocks of a run need.
-pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8> {
+pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> {
     form: Form<K>,
     wraps: [near::Form; K],
     repeats: [bool; K],
@@ -83,7 +88,13 @@ fn primary<const N: usize>(p: &Along<f32>, x: f32, rw: &[f32; N], even: bool) ->
 impl Environment {
     /// What the steps come to with these planes of the primary colour in the row y.
     #[inline(always)]
-    fn new<const FORMAT: u8>([color, alpha]: [Step; 2], planes: Option<&[Plane; 4]>, y: f32, or: u32) -> Option<Self> {
+    fn new<const FORMAT: u8>(
+        shown: &Shown,
+        planes: Option<&[Plane; 4]>,
+        y: f32,
+        (scale, or): (f32, u32),
+    ) -> Option<Self> {
+        let ([color, alpha], blend) = (shown.steps, shown.blend.map(|number| (number, scale)));
         let channels = match color {
             Step::Texel => None,
             Step::Product => {
@@ -110,7 +121,11 @@ impl Environment {
                 }
             }
         };
-        Some(Self { color: channels, alpha, or: or | whole(255.0 * constant) << 24 })
+        if blend.is_some() {
+            let alpha = if let Primary::Constant = alpha { Primary::Stays(Along::constant(constant)) } else { alpha };
+            return Some(Self { color: channels, alpha, or, blend });
+        }
+        Some(Self { color: channels, alpha, or: or | whole(255.0 * constant) << 24, blend })
     }
 
     /// Whether it reads planes that are interpolated.
@@ -120,7 +135,7 @@ impl Environment {
 
     /// The pixels from x on of texels in 0..=1; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
     #[inline(always)]
-    fn pixels<const N: usize>(
+    fn pixels<const N: usize, const BLENDED: bool>(
         &self,
         texels: &mut [[f32; N]; 4],
         x: f32,
@@ -141,6 +156,18 @@ impl Environment {
             Primary::Constant => *a = [0.0; N],
         }
         let or = self.or;
+        if BLENDED && let Some((number, scale)) = self.blend {
+            if let Some([red, green, blue]) = &self.color {
+                for (channel, plane) in [r, g, b].into_iter().zip([red, green, blue]) {
+                    let so_far = primary(plane, x, rw, even);
+                    for i in 0..N {
+                        channel[i] *= so_far[i];
+                    }
+                }
+            }
+            let dst = *out;
+            return pair(texels, &dst, (scale, or), out, number);
+        }
         if let Some([red, green, blue]) = &self.color {
             let red = primary(red, x, rw, even);
             let green = primary(green, x, rw, even);
@@ -157,18 +184,20 @@ impl Environment {
     }
 }
 
-impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8> Linear<'a, K, ROWS, FORMAT> {
+impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool>
+    Linear<'a, K, ROWS, FORMAT, BLENDED>
+{
     /// The source of a row of a segment's primitive, with the images' level; `None` where batches must do it.
     #[inline(always)]
     pub(super) fn new(
         u: &FragUniforms,
         w: &Work<'_, '_>,
         (segment, y): (&Segment, f32),
-        (unit, steps): (&Unit<'_, K>, [Step; 2]),
+        (unit, shown): (&Unit<'_, K>, &Shown),
         (image, level): (&'a WrappedImage<K>, u32),
     ) -> Option<Self> {
         let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
-        let environment = Environment::new::<FORMAT>(steps, colors, y, u.packed_or)?;
+        let environment = Environment::new::<FORMAT>(shown, colors, y, (u.scale, u.packed_or))?;
         if environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0 {
             return None;
         }
@@ -184,7 +213,7 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8> Linear<'a, K, ROWS
         Some(Self { form, wraps, repeats, level, environment, d })
     }
 
-    /// The pixels from x on.
+    /// The pixels from x on; what is there before is blended with.
     #[inline(always)]
     fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         let x = x as f32;
@@ -215,21 +244,23 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8> Linear<'a, K, ROWS
                 }
             }
         }
-        self.environment.pixels(&mut texels, x, &rw, self.d.is_none(), out);
+        self.environment.pixels::<N, BLENDED>(&mut texels, x, &rw, self.d.is_none(), out);
     }
 }
 
-impl<const K: usize, const ROWS: usize, const FORMAT: u8> Source for Linear<'_, K, ROWS, FORMAT> {
+impl<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> Source
+    for Linear<'_, K, ROWS, FORMAT, BLENDED>
+{
     #[inline(always)]
     fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let mut pixels = [0; N];
+        let mut pixels = if BLENDED { *to } else { [0; N] };
         self.pixels(x, &mut pixels);
         *to = pixels;
     }
 
     #[inline(always)]
     fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
-        let mut pixels = [0; N];
+        let mut pixels = if BLENDED { *to } else { [0; N] };
         self.pixels(x, &mut pixels);
         write(false, mask, &pixels, to);
     }

@@ -17,12 +17,13 @@ use crate::texture::object::TextureObject;
 
 impl Builder<'_> {
     /// Everything that makes the fragment's colour. Gives whether that is the interpolated colour and nothing else, and
-    /// `packable` with it, so that it is packed as it is interpolated; then it has been, and with `direct` also stored.
+    /// `packable` with it, so that it is packed as it is interpolated; then it has been, and with `direct` also stored. `blended`: the
+    /// number of the pair of factors that it is blended by.
     pub(super) fn colors(
         &mut self,
         textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
         alpha_test: Option<Func>,
-        packable: bool,
+        (packable, blended): (bool, Option<u32>),
         direct: bool,
     ) -> bool {
         let general = self.options.general;
@@ -33,7 +34,8 @@ impl Builder<'_> {
         let plain = packable && !textured && !sum && fog.is_none() && !coverage && alpha_test.is_none() && !general;
         if textured {
             let untouched = packable && !sum && fog.is_none() && !coverage && !general;
-            self.texturing(textures, untouched, alpha_test.is_some());
+            let bare = !sum && fog.is_none() && !coverage && !general && alpha_test.is_none();
+            self.texturing(textures, untouched, (alpha_test.is_some(), blended.filter(|_| bare)));
         } else {
             self.decide("texturing", Fate::LeftOut, "no unit has an enabled and complete texture");
             self.program.layout.color = Some(self.slots(4));

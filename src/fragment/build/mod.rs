@@ -7,6 +7,8 @@ mod colors;
 mod store;
 mod texturing;
 
+use store::Blending;
+
 use super::compare::Func;
 use super::interpolate::FIRST;
 use super::planes::Layout;
@@ -126,7 +128,11 @@ impl Builder<'_> {
             let packable = packed && blend.is_none() && logic_op.is_none();
             let kills = tests.alpha.is_some() || tests.stencil.is_some() || tests.depth.is_some();
             let direct = packable && writes_color && !kills && self.program.uniforms.color_mask == u32::MAX;
-            let plain = self.colors(textures, tests.alpha, packable, direct);
+            let blended = match blend {
+                Some(Blending::Packed(pair)) if logic_op.is_none() => Some(pair),
+                _ => None,
+            };
+            let plain = self.colors(textures, tests.alpha, (packable, blended), direct);
             self.finish_layout();
             if !early {
                 self.alpha_test(&tests);
@@ -333,10 +339,13 @@ impl Builder<'_> {
             let reason = "only depth and texels as they are: one stage does whole runs of a row";
             self.fill_runs(&fill::FILL_TEXELS, tests, 0, reason);
         } else if let Some(shown) = &self.program.uniforms.shown {
-            let stage = match shown.image {
-                Filtered::Rgb(_) => &fill::FILL_RGB,
-                Filtered::Rgba(_) => &fill::FILL_RGBA,
-                Filtered::Rgb3d(_) => &fill::FILL_RGB_3D,
+            let stage = match (&shown.image, shown.blend) {
+                (Filtered::Rgb(_), None) => &fill::FILL_RGB,
+                (Filtered::Rgb(_), _) => &fill::FILL_RGB_BLENDED,
+                (Filtered::Rgba(_), None) => &fill::FILL_RGBA,
+                (Filtered::Rgba(_), _) => &fill::FILL_RGBA_BLENDED,
+                (Filtered::Rgb3d(_), None) => &fill::FILL_RGB_3D,
+                _ => return,
             };
             self.fill_runs(stage, tests, 0, "only depth and one linear image: one stage does whole runs of a row");
         }

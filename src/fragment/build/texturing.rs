@@ -59,7 +59,7 @@ impl Builder<'_> {
         &mut self,
         textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
         untouched: bool,
-        alpha_test: bool,
+        (alpha_test, blended): (bool, Option<u32>),
     ) {
         let state = self.state;
         let mut bases: Bases = [None; MAX_TEXTURE_UNITS];
@@ -94,7 +94,7 @@ impl Builder<'_> {
         if let [(unit, sampler)] = samplers.as_slice()
             && !self.has_q(*unit, false)
         {
-            self.runs(*unit, sampler, leaves);
+            self.runs(*unit, sampler, leaves, blended);
         }
         for (unit, sampler) in samplers {
             self.unit(unit, sampler);
@@ -103,12 +103,17 @@ impl Builder<'_> {
     }
 
     /// Notes what runs that are done as a whole need of the one sampler that there is.
-    fn runs(&mut self, unit: usize, sampler: &Sampler, leaves: Leaves) {
+    fn runs(&mut self, unit: usize, sampler: &Sampler, leaves: Leaves, blended: Option<u32>) {
+        let steps = self.steps(unit, sampler, 1u32.checked_shl(unit as u32).unwrap_or(0));
         let (unit, uniforms) = (unit as u32, &mut self.program.uniforms);
         match leaves {
             Leaves::Texels(0) => uniforms.copied = sampler.copies().map(|from| Copied { unit, from }),
             Leaves::Packed { steps: Some(steps), .. } => {
-                uniforms.shown = sampler.filters().map(|image| Shown { unit, image, steps });
+                uniforms.shown = sampler.filters().map(|image| Shown { unit, image, steps, blend: None });
+            }
+            Leaves::Floats if blended.is_some() => {
+                let shown = |steps| Some(Shown { unit, image: sampler.filters()?, steps, blend: blended });
+                uniforms.shown = steps.and_then(shown);
             }
             _ => {}
         }
@@ -226,6 +231,14 @@ impl Builder<'_> {
         }
     }
 
+    /// What a unit's environment does with colour and alpha, if that is so simple. Bit u of `enabled`: unit u has a texture.
+    fn steps(&self, unit: usize, sampler: &Sampler, enabled: u32) -> Option<[texel::Step; 2]> {
+        let state = self.state.texture.units.get(unit)?;
+        let form = combine(&state.env, sampler.base, unit, |t| t < 32 && enabled >> t & 1 != 0);
+        let color = step(&form.rgb, unit, &[Operand::Color])?;
+        Some([color, step(&form.alpha, unit, &[Operand::Color, Operand::Alpha])?])
+    }
+
     /// How the colour leaves texturing where only the alpha test and the store follow. Makes the sampler give packed
     /// texels where they are the colour.
     fn leaves(&self, samplers: &mut [(usize, Sampler)], alpha_test: bool) -> Leaves {
@@ -233,11 +246,7 @@ impl Builder<'_> {
         let one = samplers.len() == 1;
         let Some((unit, sampler)) = samplers.last_mut() else { return Leaves::Floats };
         let unit = *unit;
-        let Some(state) = self.state.texture.units.get(unit) else { return Leaves::Floats };
-        let form = combine(&state.env, sampler.base, unit, |t| t < 32 && enabled >> t & 1 != 0);
-        let color = step(&form.rgb, unit, &[Operand::Color]);
-        let alpha = step(&form.alpha, unit, &[Operand::Color, Operand::Alpha]);
-        let (Some(color), Some(alpha)) = (color, alpha) else { return Leaves::Floats };
+        let Some([color, alpha]) = self.steps(unit, sampler, enabled) else { return Leaves::Floats };
         let tested = if alpha_test { texel::TESTED } else { 0 };
         let unseen = !alpha_test && self.program.uniforms.packed_or >> 24 == 0xFF;
         let texels = match alpha {
