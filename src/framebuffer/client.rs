@@ -24,7 +24,8 @@ impl ClientMemory {
     ///
     /// # Safety
     /// `address` must be valid for reads and writes of `len` pixels until the value is dropped, the pixels must be
-    /// initialised, and nobody else may read or write them while a method of the framebuffer that holds it runs.
+    /// initialised, and nobody else may read or write them while a method of the framebuffer that holds it runs, or while
+    /// the framebuffer is with a thread that draws: from Begin to End at most.
     #[expect(unsafe_code, reason = "a raw address from C")]
     pub unsafe fn new(address: *mut u32, len: usize) -> Option<Self> {
         let fits = len.checked_mul(4).is_some_and(|bytes| bytes <= isize::MAX.cast_unsigned());
