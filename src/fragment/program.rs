@@ -190,6 +190,7 @@ impl Program {
         band: &mut Band<'_>,
     ) -> u32 {
         let (len, pool) = (run.len, pool.into());
+        // For all of a run as well: a copy of it in one piece is read by parts, which has to wait for it.
         let rest = |done: u32| {
             let (x, offset) = (run.x.wrapping_add(done as i32), run.offset.wrapping_add(done));
             Segment { start: 0, len: len - done, x, offset, row: true, ..run }
@@ -198,10 +199,22 @@ impl Program {
             band.coarse.forget();
         }
         let (mut done, mut fill) = (0, self.fill.as_ref());
+        if self.light
+            && let Some(step) = fill
+        {
+            return self.measure(step, batch, rest(0), Work { planes, pool, band });
+        }
+        if let (Some(_), Some(step)) = (fill, &self.hidden) {
+            // Before anything is worked out for a run that may be hidden as a whole.
+            done = self.measure(step, batch, rest(0), Work { planes, pool, band });
+            if done == len {
+                return len;
+            }
+        }
         // The first pixel that was worked on, and the first after those that were.
         let (mut first, mut last) = (len, 0);
         batch.alive = false;
-        batch.ahead.begin(len);
+        batch.ahead.begin(len - done);
         loop {
             if let Some(step) = fill {
                 let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
@@ -210,7 +223,7 @@ impl Program {
                 // What was in its way for one batch may not be for the next one, where it has to know the level.
                 fill = fill.filter(|_| self.levelled);
             }
-            if self.light || len - done < SPLIT {
+            if len - done < SPLIT {
                 break;
             }
             if let Some(step) = &self.hidden
