@@ -19,8 +19,8 @@ use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::texture::linear::{RGB, RGBA};
-use crate::texture::sampler::Filtered;
 use crate::texture::uniforms::WrappedImage;
+use crate::texture::whole::Filtered;
 
 /// Bits of [`FILL`]'s number above those of the depth test: depth is tested, colour is written.
 pub(super) const DEPTH: u32 = 1 << 4;

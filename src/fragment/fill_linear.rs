@@ -18,8 +18,8 @@ use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
 use crate::texture::linear::{self, CHUNK, Pairs, RGB};
 use crate::texture::near;
-use crate::texture::sampler::Filtered;
 use crate::texture::uniforms::{MipLevel, WrappedImage};
+use crate::texture::whole::Filtered;
 
 /// What a program does that filters one image: which, of which unit, and what the environment does with colour and alpha.
 #[derive(Clone, Debug)]

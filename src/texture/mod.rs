@@ -32,3 +32,4 @@ mod sums;
 mod test_support;
 pub mod uniforms;
 pub mod upload;
+pub mod whole;

@@ -8,7 +8,7 @@ use super::image::Image;
 use super::lod::Levels;
 use super::object::TextureObject;
 use super::pads::PadKey;
-use super::uniforms::{TexFn, UnitUniforms, WrappedImage, is_mipmap_filter, level_range};
+use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
 use super::{address, anisotropy, cube, filter, filter_float, linear, lod, shadow};
 use crate::batch::{Level, Plan, Stage, Step};
 use crate::enums::*;
@@ -29,17 +29,6 @@ pub struct Needs {
     pub period: [u8; 3],
     /// Size of the base level in texels; 1 where the coordinate is not one of texels.
     pub size: [u32; 3],
-}
-
-/// An image that is filtered linearly, by its dimensions and channels.
-#[derive(Clone, Debug)]
-pub enum Filtered {
-    /// Three channels of a 2D image; alpha is 1.
-    Rgb(WrappedImage<2>),
-    /// All channels of a 2D image.
-    Rgba(WrappedImage<2>),
-    /// Three channels of a 3D image; alpha is 1.
-    Rgb3d(WrappedImage<3>),
 }
 
 /// The stages that sample one texture, with the numbers and images that they read.
@@ -280,46 +269,6 @@ impl Sampler {
             None => self.plan.push(filter::nearest_packed(dims), 0),
         }
         true
-    }
-
-    /// The images and their wraps, if the sampler does nothing but this stage: on the base level, or where it has
-    /// [`Sampler::levels`] on the one that is known to be the only one.
-    fn only<const K: usize>(&self, stage: &Stage<TexFn>, flags: u32) -> Option<WrappedImage<K>> {
-        let step = match (self.plan.steps.as_slice(), &self.levels) {
-            ([step], None) => step,
-            ([level, step], Some(_)) if level.name == lod::nearest_level_stage(K).name => step,
-            // Where one level is all that is read, the second pass and the mix do nothing but bring it to 0..1.
-            ([lambda, _, step, _, mix], Some(levels))
-                if levels.blends && lambda.name == lod::lambda_stage(K).name && mix.name == lod::MIX_LEVELS.name =>
-            {
-                step
-            }
-            _ => return None,
-        };
-        let wraps = (0..3).fold(filter::PARTIAL, |bits, c| bits | filter::REPEATS << c);
-        let this = step.name == stage.name && step.arg & !wraps == flags;
-        let repeats = std::array::from_fn(|c| step.arg & filter::REPEATS << c != 0);
-        this.then(|| WrappedImage { levels: self.uniforms.images.clone(), repeats })
-    }
-
-    /// The images and their wraps, if the sampler does nothing but give its nearest texels, packed, by a wrap that
-    /// [`Near`](super::near::Near) knows.
-    #[must_use]
-    pub fn copies(&self) -> Option<WrappedImage<2>> {
-        self.only(&filter::WRAP_NEAREST_2D_PACKED, 0)
-    }
-
-    /// The images and their wraps, if the sampler does nothing but filter one of them linearly, by wraps that
-    /// [`Form`](super::near::Form) knows.
-    #[must_use]
-    pub fn filters(&self) -> Option<Filtered> {
-        if let Some(image) = self.only(&linear::BILINEAR_2D_RGB, linear::WRAPS) {
-            return Some(Filtered::Rgb(image));
-        }
-        if let Some(image) = self.only(&linear::BILINEAR_2D_RGBA, linear::WRAPS) {
-            return Some(Filtered::Rgba(image));
-        }
-        self.only(&linear::TRILINEAR_3D_RGB, linear::WRAPS).map(Filtered::Rgb3d)
     }
 
     /// Samples all lanes of a batch: reads coordinates and derivatives, writes the texel of the unit.

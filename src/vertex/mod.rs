@@ -80,7 +80,9 @@ impl<P: Shader> Assembled for Scene<P> {
 
     /// What a scene has to know of its draw is the same for all of them.
     fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper) {
-        if let Some(mut builder) = self.builder() {
+        if !primitives.is_empty()
+            && let Some(mut builder) = self.builder()
+        {
             builder.take(primitives, plan, pool, clipper);
         }
     }

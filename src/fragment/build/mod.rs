@@ -24,7 +24,7 @@ use crate::num::clamp01;
 use crate::state::State;
 use crate::texture::lod::Levels;
 use crate::texture::object::TextureObject;
-use crate::texture::sampler::Filtered;
+use crate::texture::whole::Filtered;
 
 /// A program in the making.
 struct Builder<'a> {

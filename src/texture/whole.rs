@@ -1,0 +1,61 @@
+//! Samplers that whole runs of a row can do without batches (OpenGL 1.5, sections 3.8.8 and 3.8.9): those whose list of stages
+//! comes to one fetch or one linear filter of one image. The list itself tells, so that what is true of it is asked in one
+//! place.
+
+use super::sampler::Sampler;
+use super::uniforms::{TexFn, WrappedImage};
+use super::{filter, linear, lod};
+use crate::batch::Stage;
+
+/// An image that is filtered linearly, by its dimensions and channels.
+#[derive(Clone, Debug)]
+pub enum Filtered {
+    /// Three channels of a 2D image; alpha is 1.
+    Rgb(WrappedImage<2>),
+    /// All channels of a 2D image.
+    Rgba(WrappedImage<2>),
+    /// Three channels of a 3D image; alpha is 1.
+    Rgb3d(WrappedImage<3>),
+}
+
+impl Sampler {
+    /// The images and their wraps, if the sampler does nothing but this stage: on the base level, or where it has
+    /// [`Sampler::levels`] on the one that is known to be the only one.
+    fn only<const K: usize>(&self, stage: &Stage<TexFn>, flags: u32) -> Option<WrappedImage<K>> {
+        let step = match (self.plan.steps.as_slice(), &self.levels) {
+            ([step], None) => step,
+            ([level, step], Some(_)) if level.name == lod::nearest_level_stage(K).name => step,
+            // Where one level is all that is read, the second pass and the mix do nothing but bring it to 0..1.
+            ([lambda, _, step, _, mix], Some(levels))
+                if levels.blends && lambda.name == lod::lambda_stage(K).name && mix.name == lod::MIX_LEVELS.name =>
+            {
+                step
+            }
+            _ => return None,
+        };
+        let wraps = (0..3).fold(filter::PARTIAL, |bits, c| bits | filter::REPEATS << c);
+        let this = step.name == stage.name && step.arg & !wraps == flags;
+        let repeats = std::array::from_fn(|c| step.arg & filter::REPEATS << c != 0);
+        this.then(|| WrappedImage { levels: self.uniforms.images.clone(), repeats })
+    }
+
+    /// The images and their wraps, if the sampler does nothing but give its nearest texels, packed, by a wrap that
+    /// [`Near`](super::near::Near) knows.
+    #[must_use]
+    pub fn copies(&self) -> Option<WrappedImage<2>> {
+        self.only(&filter::WRAP_NEAREST_2D_PACKED, 0)
+    }
+
+    /// The images and their wraps, if the sampler does nothing but filter one of them linearly, by wraps that
+    /// [`Form`](super::near::Form) knows.
+    #[must_use]
+    pub fn filters(&self) -> Option<Filtered> {
+        if let Some(image) = self.only(&linear::BILINEAR_2D_RGB, linear::WRAPS) {
+            return Some(Filtered::Rgb(image));
+        }
+        if let Some(image) = self.only(&linear::BILINEAR_2D_RGBA, linear::WRAPS) {
+            return Some(Filtered::Rgba(image));
+        }
+        self.only(&linear::TRILINEAR_3D_RGB, linear::WRAPS).map(Filtered::Rgb3d)
+    }
+}
