@@ -176,13 +176,10 @@ impl<'a> ClientImage<'a> {
         }
     }
 
-    /// The colours from group `at` on as packed bytes R, G, B, A. Returns the bits that are set in all of them: what is
-    /// known while a texel is in a register need not be read again.
-    pub fn colors_rgba8(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) -> u32 {
-        if transfer.keeps_colors()
-            && let Some(common) = self.copy_rgba8(at, out)
-        {
-            return common;
+    /// The colours from group `at` on as packed bytes R, G, B, A.
+    pub fn colors_rgba8(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) {
+        if transfer.keeps_colors() && self.copy_rgba8(at, out) {
+            return;
         }
         let mut colors = [[0.0; 4]; CHUNK];
         for (n, part) in out.chunks_mut(CHUNK).enumerate() {
@@ -192,20 +189,35 @@ impl<'a> ClientImage<'a> {
                 *to = to_rgba8(from);
             }
         }
-        out.iter().fold(u32::MAX, |common, texel| common & texel)
     }
 
-    /// The short way for components of 8 bits: bytes are moved, never computed with. None if the type is another.
-    fn copy_rgba8(&self, at: [usize; 3], out: &mut [u32]) -> Option<u32> {
+    /// Whether all texels of a row that was [read](Self::colors_rgba8) just now have an alpha of 255. Where they are the
+    /// client's bytes, those are looked at: they are in the cache, where the row need not be.
+    #[must_use]
+    pub fn is_opaque_rgba8(&self, at: [usize; 3], transfer: Transfer<'_>, row: &[u32]) -> bool {
+        let same = (self.pixel.type_, self.pixel.format) == (Type::UnsignedByte, Format::Rgba);
+        let common = if same && transfer.keeps_colors() {
+            let Some(texels) = self.groups(at).as_chunks::<4>().0.get(..row.len()) else { return false };
+            common_bits(texels, |texel| u32::from_le_bytes(*texel))
+        } else {
+            common_bits(row, |texel| *texel)
+        };
+        common >= 0xFF00_0000
+    }
+
+    /// The short way for components of 8 bits: bytes are moved, never computed with. False if the type is another.
+    fn copy_rgba8(&self, at: [usize; 3], out: &mut [u32]) -> bool {
         let groups = self.groups(at);
         let opaque = 0xFF00_0000;
-        let common = match (self.pixel.type_, self.pixel.format) {
-            (Type::UnsignedByte, Format::Rgba) => same(groups, out),
+        match (self.pixel.type_, self.pixel.format) {
+            (Type::UnsignedByte, Format::Rgba) => each(groups, out, u32::from_le_bytes),
             (Type::UnsignedByte, Format::Bgra) => each(groups, out, |[b, g, r, a]| u32::from_le_bytes([r, g, b, a])),
             (Type::UnsignedByte, Format::Rgb) => each(groups, out, |[r, g, b]| u32::from_le_bytes([r, g, b, 255])),
             (Type::UnsignedByte, Format::Bgr) => each(groups, out, |[b, g, r]| u32::from_le_bytes([r, g, b, 255])),
             (Type::UnsignedByte, Format::Luminance) => each(groups, out, |[l]| gray(l) | opaque),
-            (Type::UnsignedByte, Format::LuminanceAlpha) => each(groups, out, |[l, a]| gray(l) | (u32::from(a) << 24)),
+            (Type::UnsignedByte, Format::LuminanceAlpha) => {
+                each(groups, out, |[l, a]| gray(l) | (u32::from(a) << 24));
+            }
             (Type::UnsignedByte, Format::Alpha) => each(groups, out, |[a]| u32::from(a) << 24),
             (Type::UnsignedByte, Format::Red) => each(groups, out, |[r]| u32::from(r) | opaque),
             (Type::UnsignedByte, Format::Green) => each(groups, out, |[g]| u32::from(g) << 8 | opaque),
@@ -216,14 +228,14 @@ impl<'a> ClientImage<'a> {
                 let number =
                     |bytes| if reverse { u32::from_ne_bytes(bytes).swap_bytes() } else { u32::from_ne_bytes(bytes) };
                 if format == Format::Bgra {
-                    each(groups, out, |bytes| swap_red_blue(number(bytes)))
+                    each(groups, out, |bytes| swap_red_blue(number(bytes)));
                 } else {
-                    each(groups, out, number)
+                    each(groups, out, number);
                 }
             }
-            _ => return None,
-        };
-        Some(common)
+            _ => return false,
+        }
+        true
     }
 }
 
@@ -239,32 +251,22 @@ fn gray(l: u8) -> u32 {
     u32::from(l) * 0x01_0101
 }
 
-/// Groups that are texels already: copied as a whole, then the source is looked at, many texels at a time. It is in the
-/// cache then, where the copy need not be.
-fn same(groups: &[u8], out: &mut [u32]) -> u32 {
-    for (to, from) in out.iter_mut().zip(groups.as_chunks::<4>().0) {
-        *to = u32::from_le_bytes(*from);
-    }
-    let len = (groups.len() / 4).min(out.len());
-    let (blocks, rest) = groups[..4 * len].as_chunks::<4>().0.as_chunks::<16>();
+/// The bits that are set in all texels; sixteen at a time, so that one need not wait for the other.
+fn common_bits<T>(texels: &[T], read: impl Fn(&T) -> u32) -> u32 {
+    let (blocks, rest) = texels.as_chunks::<16>();
     let mut common = [u32::MAX; 16];
     for block in blocks {
         for i in 0..16 {
-            common[i] &= u32::from_le_bytes(block[i]);
+            common[i] &= read(&block[i]);
         }
     }
-    let rest = rest.iter().map(|texel| u32::from_le_bytes(*texel));
-    common.into_iter().chain(rest).fold(u32::MAX, |all, texel| all & texel)
+    common.into_iter().chain(rest.iter().map(&read)).fold(u32::MAX, |all, texel| all & texel)
 }
 
-/// Converts each group; the bits that are set in all results.
-fn each<const N: usize>(groups: &[u8], out: &mut [u32], convert: impl Fn([u8; N]) -> u32) -> u32 {
-    let mut common = u32::MAX;
+fn each<const N: usize>(groups: &[u8], out: &mut [u32], convert: impl Fn([u8; N]) -> u32) {
     for (to, from) in out.iter_mut().zip(groups.as_chunks::<N>().0) {
         *to = convert(*from);
-        common &= *to;
     }
-    common
 }
 
 fn indices<E: Element>(groups: &[u8], swap: bool, out: &mut [f64]) {

@@ -95,9 +95,9 @@ impl Image {
                 match &mut self.texels {
                     Texels::Rgba8(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
-                        let common = pixels.colors_rgba8([0, y, z], transfer, row);
-                        let common = expand_rgba8(base, row, common);
-                        opaque = opaque && is_opaque(common);
+                        pixels.colors_rgba8([0, y, z], transfer, row);
+                        expand_rgba8(base, row);
+                        opaque = opaque && is_opaque(pixels, [0, y, z], transfer, base, row);
                     }
                     Texels::Float(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
@@ -138,7 +138,7 @@ impl Image {
             && let (Some(to), Some(from)) = (texels.get_mut(start..start + len), row.get(from..from + len))
         {
             to.copy_from_slice(from);
-            expand_rgba8(base, to, 0);
+            expand_rgba8(base, to);
         }
     }
 
@@ -193,20 +193,17 @@ impl Image {
     }
 }
 
-/// Whether alpha is 255 in texels that have these bits in common.
-fn is_opaque(common: u32) -> bool {
-    common >= 0xFF00_0000
+/// Whether alpha is 255 in a row of texels of a base format that came from client pixels.
+fn is_opaque(pixels: &ClientImage<'_>, at: [usize; 3], transfer: Transfer<'_>, base: BaseFormat, row: &[u32]) -> bool {
+    match base {
+        BaseFormat::Rgba => pixels.is_opaque_rgba8(at, transfer, row),
+        _ => row.iter().all(|texel| *texel >= 0xFF00_0000),
+    }
 }
 
-/// Expands a row in place and returns the bits that its texels have in common, as far as that is known before; nothing is
-/// left to do for RGBA.
-fn expand_rgba8(base: BaseFormat, row: &mut [u32], mut common: u32) -> u32 {
+/// Expands a row in place; nothing is left to do for RGBA.
+fn expand_rgba8(base: BaseFormat, row: &mut [u32]) {
     if base != BaseFormat::Rgba {
-        common = u32::MAX;
-        for texel in row {
-            *texel = base.expand_rgba8(*texel);
-            common &= *texel;
-        }
+        row.iter_mut().for_each(|t| *t = base.expand_rgba8(*t));
     }
-    common
 }
