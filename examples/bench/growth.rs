@@ -1,5 +1,5 @@
 //! How cost grows: with the fragments of a frame, its triangles, the size of a texture, the units in use and the draws with
-//! state changes between them. Each table has the least of several times on one thread and the slope: the exponent b of
+//! state changes between them. Each table has the least of several times on one thread (memory also with two) and the slope: the exponent b of
 //! cost = a * n^b, fitted to the logarithms, so 1 is linear and 0 constant. Memory is the greatest size of the process
 //! (VmHWM) above what it had before the frame; the system forgets the old greatest size when it is asked to.
 
@@ -32,7 +32,11 @@ pub fn run(options: &Options) {
 }
 
 fn stage(options: &Options, size: u32) -> Stage {
-    Stage::new(size, Config { threads: 1, level: options.level, ..Config::default() })
+    threaded(options, size, 1)
+}
+
+fn threaded(options: &Options, size: u32, threads: usize) -> Stage {
+    Stage::new(size, Config { threads, level: options.level, ..Config::default() })
 }
 
 /// The least time of a frame, the first one not counted.
@@ -104,8 +108,8 @@ fn draw_triangles(stage: &mut Stage, n: usize) {
     }
 }
 
-fn ready_for_triangles(options: &Options) -> Stage {
-    let mut stage = stage(options, 1024);
+fn ready_for_triangles(options: &Options, threads: usize) -> Stage {
+    let mut stage = threaded(options, 1024, threads);
     stage.texture(Tex::default());
     stage.depth(GL_LEQUAL);
     loose_triangles(&mut stage);
@@ -114,23 +118,34 @@ fn ready_for_triangles(options: &Options) -> Stage {
 
 fn triangles(options: &Options) {
     let points = (2..=7).map(|power| 10usize.pow(power)).map(|n| {
-        let cost = least(&mut ready_for_triangles(options), |stage| draw_triangles(stage, n));
-        Point { n: n as f64, cost, cells: vec![peak_of(n).unwrap_or("unknown".into())] }
+        let cost = least(&mut ready_for_triangles(options, 1), |stage| draw_triangles(stage, n));
+        Point {
+            n: n as f64,
+            cost,
+            cells: [1, 2].map(|threads| peak_of(n, threads).unwrap_or("unknown".into())).to_vec(),
+        }
     });
-    print("Triangles of 4.5 pixels", "triangles", "triangle", &["memory, MiB"], &points.collect::<Vec<_>>());
+    print(
+        "Triangles of 4.5 pixels",
+        "triangles",
+        "triangle",
+        &["memory, MiB", "with 2 threads"],
+        &points.collect::<Vec<_>>(),
+    );
 }
 
 /// What [`peak`] prints in a process of its own: here memory that was used and freed before would hide it.
-fn peak_of(n: usize) -> Option<String> {
+fn peak_of(n: usize, threads: usize) -> Option<String> {
     let program = std::env::current_exe().ok()?;
-    let output = Command::new(program).args(["--peak", &n.to_string()]).output().ok()?;
+    let output =
+        Command::new(program).args(["--peak", &n.to_string(), "--threads", &threads.to_string()]).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?.trim().to_string();
     (!text.is_empty()).then_some(text)
 }
 
 /// Prints by how much a frame of `n` triangles lets the process grow, in MiB; nothing where the system does not say it.
 pub fn peak(options: &Options, n: usize) {
-    let mut stage = ready_for_triangles(options);
+    let mut stage = ready_for_triangles(options, options.threads);
     let before = forget_peak();
     draw_triangles(&mut stage, n);
     stage.gl.finish();
