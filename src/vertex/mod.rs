@@ -1,10 +1,10 @@
 //! The vertex pipe (OpenGL 1.5, sections 2.6 to 2.14): from vertices as a program gives them to triangles, lines and
 //! points in clip and window coordinates.
 //!
-//! 64 vertices stand in a [`VertexBatch`](batch); a [`VertexPlan`](plan::VertexPlan) of the stages that the
+//! 64 vertices stand in a [`VertexBatch`](batch); a [`VertexPlan`] of the stages that the
 //! state needs takes them through transformation, lighting and texture coordinate generation; the results stand in a
-//! [`Pool`](pool::Pool), where the [`Assembler`](assemble::Assembler) joins them into primitives and
-//! [`Clipper`](clip::Clipper) cuts those that leave the view volume. What comes out goes to an [`Assembled`]. A
+//! [`Pool`], where the [`Assembler`] joins them into primitives and
+//! [`Clipper`] cuts those that leave the view volume. What comes out goes to an [`Assembled`]. A
 //! [`Chunk`](chunk::Chunk) leads them through all that.
 
 pub mod assemble;
