@@ -3,7 +3,7 @@
 //!
 //! 64 vertices stand in a [`VertexBatch`](batch); a [`VertexPlan`] of the stages that the
 //! state needs takes them through transformation, lighting and texture coordinate generation; the results stand in a
-//! [`Pool`], where the [`Assembler`] joins them into primitives and
+//! [`Pool`], where the [`Assembler`](assemble::Assembler) joins them into primitives and
 //! [`Clipper`] cuts those that leave the view volume. What comes out goes to an [`Assembled`]. A
 //! [`Chunk`](chunk::Chunk) leads them through all that.
 
