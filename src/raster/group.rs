@@ -13,8 +13,7 @@ use super::masks::Ints;
 use super::rows::{Ends, ROWS, Rows};
 use super::setup::{Triangle, clip_mask};
 use super::state::{Mode, Rect};
-use super::vertex::Vertex;
-use super::vertex::twice_area;
+use super::vertex::{Vertex, twice_area};
 use crate::fragment::planes::{GROUP, Linear, Planes};
 
 /// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.

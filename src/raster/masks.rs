@@ -17,6 +17,30 @@ const ONES: u64 = 0x0001_0001_0001_0001;
 const COUNT: u64 = 0x0003_0002_0001_0000;
 const TOP: u64 = 0x8000_8000_8000_8000;
 
+/// The function of a lane's edge, E = b (y - py) + a (x - px) in 1/256 of the grid's unit: a, b and its value at the pixel
+/// `first`. The edge runs between two corners of a triangle that winds counter-clockwise where `turn` is 0; where it is
+/// all ones, the triangle winds clockwise and the edge runs the other way.
+#[inline(always)]
+pub(super) fn edge_function(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2], i: usize) -> [i32; 3] {
+    // E vanishes on the whole edge, so that either end will do for p.
+    let (a, b) = (p[1][i] - q[1][i], q[0][i] - p[0][i]);
+    let (a, b) = ((a ^ turn[i]) - turn[i], (b ^ turn[i]) - turn[i]);
+    let (x, y) = ((first[0][i] << 8) + 128 - p[0][i], (first[1][i] << 8) + 128 - p[1][i]);
+    let inclusive = (a > 0) | ((a == 0) & (b < 0));
+    let c = b.wrapping_mul(y).wrapping_add(a.wrapping_mul(x)).wrapping_sub(i32::from(!inclusive)) >> 8;
+    [a, b, c]
+}
+
+/// All ones where a triangle winds clockwise.
+#[inline(always)]
+pub(super) fn turns(area: &Ints) -> Ints {
+    let mut turn = [0; GROUP];
+    for i in 0..GROUP {
+        turn[i] = area[i] >> 31;
+    }
+    turn
+}
+
 /// An edge of each triangle: its function at the first four pixels of a row, and its change to the next row.
 struct Edge {
     row: [u64; GROUP],
@@ -26,18 +50,12 @@ struct Edge {
 }
 
 impl Edge {
-    /// The edge between two corners of triangles that wind counter-clockwise where `turn` is 0; where it is all ones,
-    /// they wind clockwise and the edge runs the other way. `first` is the pixel where masks begin.
+    /// The edge between two corners, as [`edge_function`] has it. `first` is the pixel where masks begin.
     #[inline(always)]
     fn new(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2]) -> Self {
         let mut edge = Self { row: [0; GROUP], right: [0; GROUP], up: [0; GROUP] };
         for i in 0..GROUP {
-            // E = b (y - py) + a (x - px) vanishes on the whole edge, so that either end will do for p.
-            let (a, b) = (p[1][i] - q[1][i], q[0][i] - p[0][i]);
-            let (a, b) = ((a ^ turn[i]) - turn[i], (b ^ turn[i]) - turn[i]);
-            let (x, y) = ((first[0][i] << 8) + 128 - p[0][i], (first[1][i] << 8) + 128 - p[1][i]);
-            let inclusive = (a > 0) | ((a == 0) & (b < 0));
-            let c = b.wrapping_mul(y).wrapping_add(a.wrapping_mul(x)).wrapping_sub(i32::from(!inclusive)) >> 8;
+            let [a, b, c] = edge_function(p, q, turn, first, i);
             let digits = |v: i32| (i64::from(v) as u64).wrapping_mul(ONES);
             edge.row[i] = digits(c + 0x8000).wrapping_add((i64::from(a) as u64).wrapping_mul(COUNT));
             edge.right[i] = digits(4 * a);
@@ -97,10 +115,7 @@ pub(super) fn masks(
     [width, height]: [u32; 2],
     out: &mut [u64; GROUP],
 ) {
-    let mut turn = [0; GROUP];
-    for i in 0..GROUP {
-        turn[i] = area[i] >> 31;
-    }
+    let turn = turns(area);
     let mut edges = [
         Edge::new(&p[0], &p[1], &turn, first),
         Edge::new(&p[1], &p[2], &turn, first),

@@ -5,7 +5,7 @@
 //!
 //! [`polygon`]: super::polygon
 
-use super::masks::Ints;
+use super::masks::{Ints, edge_function, turns};
 use super::state::Rect;
 use crate::fragment::planes::GROUP;
 
@@ -95,21 +95,15 @@ fn divide(e: &Ints, modulus: &Ints) -> (Ints, Ints) {
 }
 
 impl Step {
-    /// The edge between two corners of triangles that wind counter-clockwise where `turn` is 0; where it is all ones,
-    /// they wind clockwise and the edge runs the other way. `first` is the pixel where rows and columns begin.
+    /// The edge between two corners, as [`edge_function`] has it. `first` is the pixel where rows and columns begin.
     #[inline(always)]
     fn new(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2]) -> Self {
         let zero = [0; GROUP];
         let [mut e, mut b] = [zero; 2];
         let [mut right, mut left, mut level, mut modulus] = [zero; 4];
         for i in 0..GROUP {
-            // E = b (y - py) + a (x - px) vanishes on the whole edge, so that either end will do for p.
-            let (da, db) = (p[1][i] - q[1][i], q[0][i] - p[0][i]);
-            let (a, to) = ((da ^ turn[i]) - turn[i], (db ^ turn[i]) - turn[i]);
-            let (x, y) = ((first[0][i] << 8) + 128 - p[0][i], (first[1][i] << 8) + 128 - p[1][i]);
-            let inclusive = (a > 0) | ((a == 0) & (to < 0));
-            e[i] = to.wrapping_mul(y).wrapping_add(a.wrapping_mul(x)).wrapping_sub(i32::from(!inclusive)) >> 8;
-            b[i] = to;
+            let a;
+            [a, b[i], e[i]] = edge_function(p, q, turn, first, i);
             (right[i], left[i], level[i]) = (-i32::from(a > 0), -i32::from(a < 0), -i32::from(a == 0));
             modulus[i] = a.abs().max(1);
         }
@@ -142,10 +136,7 @@ impl Step {
 /// 16 by 16 anything may come out.
 #[inline(always)]
 pub(super) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u32, out: &mut Ends) {
-    let mut turn = [0; GROUP];
-    for i in 0..GROUP {
-        turn[i] = area[i] >> 31;
-    }
+    let turn = turns(area);
     let mut steps = [
         Step::new(&p[0], &p[1], &turn, first),
         Step::new(&p[1], &p[2], &turn, first),

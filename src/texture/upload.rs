@@ -86,7 +86,9 @@ impl Image {
             return Ok(());
         }
         let whole = size == self.full_size().map(u32::cast_signed);
-        let mut opaque = (whole || self.opaque) && self.format.storage == Storage::Rgba8;
+        // Only of these is it ever asked: others have no alpha, or no other channel.
+        let asked = matches!(self.base, BaseFormat::Rgba | BaseFormat::LuminanceAlpha);
+        let mut opaque = (whole || self.opaque) && asked && self.format.storage == Storage::Rgba8;
         self.show_border();
         let (base, format) = (self.base, self.format);
         for z in 0..depth {
