@@ -7,6 +7,7 @@ use super::element::{Element, to_rgba8};
 use super::format::{Format, Kind, Packing, PixelFormat, Type};
 use super::geometry::Geometry;
 use super::transfer::Transfer;
+use crate::batch::{Level, stage};
 use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
 use crate::error::Outcome;
 use crate::num::{clamp01, unorm_to_f32};
@@ -198,9 +199,9 @@ impl<'a> ClientImage<'a> {
         let same = (self.pixel.type_, self.pixel.format) == (Type::UnsignedByte, Format::Rgba);
         let common = if same && transfer.keeps_colors() {
             let Some(texels) = self.groups(at).as_chunks::<4>().0.get(..row.len()) else { return false };
-            common_bits(texels, |texel| u32::from_le_bytes(*texel))
+            common_bits(texels)
         } else {
-            common_bits(row, |texel| *texel)
+            row.iter().fold(u32::MAX, |all, texel| all & texel)
         };
         common >= 0xFF00_0000
     }
@@ -251,16 +252,23 @@ fn gray(l: u8) -> u32 {
     u32::from(l) * 0x01_0101
 }
 
-/// The bits that are set in all texels; sixteen at a time, so that one need not wait for the other.
-fn common_bits<T>(texels: &[T], read: impl Fn(&T) -> u32) -> u32 {
-    let (blocks, rest) = texels.as_chunks::<16>();
-    let mut common = [u32::MAX; 16];
-    for block in blocks {
-        for i in 0..16 {
-            common[i] &= read(&block[i]);
-        }
+type BitsFn = unsafe fn(&[[u8; 4]], &mut u32);
+
+stage! {
+    /// Clears the bits of a word that are not set in all texels.
+    fn COMMON_BITS: BitsFn = (texels: &[[u8; 4]], common: &mut u32) {
+        *common = texels.iter().fold(*common, |common, texel| common & u32::from_le_bytes(*texel));
     }
-    common.into_iter().chain(rest.iter().map(&read)).fold(u32::MAX, |all, texel| all & texel)
+}
+
+/// The bits that are set in all texels. The copy of a large image is at the memory's speed, and so must this be.
+fn common_bits(texels: &[[u8; 4]]) -> u32 {
+    let mut common = u32::MAX;
+    #[expect(unsafe_code, reason = "the level is the one that the processor has")]
+    unsafe {
+        (COMMON_BITS.levels[Level::detect() as usize])(texels, &mut common);
+    }
+    common
 }
 
 fn each<const N: usize>(groups: &[u8], out: &mut [u32], convert: impl Fn([u8; N]) -> u32) {
