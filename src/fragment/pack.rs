@@ -44,7 +44,7 @@ pub(super) fn pixel(r: u32, g: u32, b: u32, a: u32) -> u32 {
 
 /// The packed colour of a primitive whose four colour planes are constant.
 #[inline(always)]
-fn constant(pool: &[Plane; 4]) -> Option<u32> {
+pub(super) fn constant(pool: &[Plane; 4]) -> Option<u32> {
     let [r, g, b, a] = pool;
     let flat = r.min == r.max && g.min == g.max && b.min == b.max && a.min == a.max;
     if flat { Some(pixel(byte(r.max), byte(g.max), byte(b.max), byte(a.max))) } else { None }

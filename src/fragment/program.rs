@@ -3,6 +3,8 @@
 //! the reasons, stays with the program so that it can be explained.
 
 use super::batch::{FragmentBatch, Segment};
+use super::fill::{COLOR, DEPTH};
+use super::pack::constant;
 use super::planes::{Layout, PlanePool, Planes};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, Step, Tally};
@@ -114,6 +116,8 @@ const FILLED: u32 = 8;
 /// From this length on a run, or what is left of it, is worth a batch of its own: stages that compute whole rows are
 /// faster than those that go over the pieces of several, but compute unused lanes as well.
 const SPLIT: u32 = 32;
+/// What a pixel costs that goes through batches, at the least, in pixels of one colour.
+pub const ORDINARY: u64 = 32;
 
 impl Program {
     /// Runs the program over a batch: `segments` and `tex.n` are set, and for lanes of segments that are no rows
@@ -172,10 +176,26 @@ impl Program {
         if self.light { FILLED } else { SPLIT }
     }
 
-    /// Whether a pixel of a large area costs next to nothing: depth and an interpolated colour in one stage.
+    /// About what a pixel of a large primitive costs, in pixels of one colour: enough to tell whether its rows are worth
+    /// a second thread.
     #[must_use]
-    pub fn is_light(&self) -> bool {
-        self.light
+    pub fn weight(&self, planes: &Planes, pool: PlanePool<'_>) -> u64 {
+        let Some(fill) = self.fill else { return ORDINARY };
+        let depth = if fill.arg & DEPTH == 0 { 0 } else { 2 };
+        let color = match (self.light, &self.uniforms.copied) {
+            (true, _) if fill.arg & COLOR == 0 || self.has_one_color(planes, pool) => 1,
+            (true, _) => 4,
+            (_, Some(_)) => 6,
+            _ => 24,
+        };
+        color + depth
+    }
+
+    /// Whether the primary colour of a primitive that stands alone is the same everywhere.
+    fn has_one_color(&self, planes: &Planes, pool: PlanePool<'_>) -> bool {
+        let Some(slot) = self.layout.color else { return true };
+        let colors = pool.alone.get(planes.first as usize + slot..).and_then(|rest| rest.first_chunk());
+        planes.member.is_none() && colors.is_some_and(|colors| constant(colors).is_some())
     }
 
     /// Works on pixels of one primitive and row, from its start on as many as pay: the rest, whose number is less than

@@ -10,6 +10,7 @@ use super::shader::Shader;
 use crate::batch::Level;
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};
+use crate::fragment::program::ORDINARY;
 use crate::framebuffer::{Band, Framebuffer};
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
@@ -24,12 +25,13 @@ pub(super) struct Flush<'a, P> {
     pub level: Level,
 }
 
-/// Work, in fragments, from which on more than one thread pays: starting a thread takes about as long as a few thousand.
-const PAYS: u64 = 40_000;
-/// So many pixels of light programs cost what one of others does.
-const LIGHT: u64 = 5;
-/// What a primitive costs besides its fragments, in fragments.
-const PRIMITIVE: u64 = 4;
+/// Work, in pixels of one colour, from which on more than one thread pays: about 120 us on the machine that was measured.
+/// Starting a thread and waiting for its end takes 40 to 60.
+const PAYS: u64 = 1 << 21;
+/// What a primitive costs besides its fragments.
+const PRIMITIVE: u64 = 16 * ORDINARY;
+/// Pixels of a primitive, on average, from which on it pays to ask what those of each cost.
+const LARGE: u64 = 256;
 
 /// Bytes of colour and depth that a band has at most where that leaves enough rows: they stay in the second-level cache.
 const BAND: u32 = 512 << 10;
@@ -71,14 +73,11 @@ pub(super) fn flush<P: Shader>(
     let height = framebuffer.height();
     let rows = band_rows(framebuffer.width(), height);
     let count = height.div_ceil(rows) as usize;
-    let light = flush.draws.iter().all(|draw| draw.program.is_light());
-    let pixels = if light { geometry.pixels / LIGHT } else { geometry.pixels };
-    let work = pixels + PRIMITIVE * geometry.prims.len() as u64;
-    let workers = threads.min(count).min(usize::try_from(work / PAYS).unwrap_or(1) + 1).max(1);
+    let workers = if threads == 1 { 1 } else { threads.min(count).min(flush.worth()) };
     emitters.resize_with(emitters.len().max(workers), || Emitter::new(flush.level));
     // One thread, too, goes band by band where pixels are drawn over and over: a band stays in the cache.
     let area = u64::from(framebuffer.width()) * u64::from(height);
-    let layered = geometry.pixels >= 2 * area && geometry.pixels >= 256 * geometry.prims.len() as u64;
+    let layered = geometry.pixels >= 2 * area && flush.is_large();
     // So does a clear that waits, if most of what it fills is drawn into.
     let clears = framebuffer.is_waiting() && geometry.pixels >= area / 2;
     if workers == 1 && !layered && !clears {
@@ -135,6 +134,26 @@ pub(super) fn file(geometry: &Geometry, bins: &mut Vec<Vec<u32>>, count: usize, 
 }
 
 impl<P: Shader> Flush<'_, P> {
+    /// Whether its primitives are large, and so not many.
+    fn is_large(&self) -> bool {
+        self.geometry.pixels >= LARGE * self.geometry.prims.len() as u64
+    }
+
+    /// How many threads it is worth.
+    fn worth(&self) -> usize {
+        let (prims, pool) = (&self.geometry.prims, self.geometry.pool.all());
+        let work = if self.is_large() {
+            let work = prims.iter().zip(&self.geometry.planes).map(|(prim, planes)| {
+                let draw = self.draws.get(prim.draw as usize);
+                draw.map_or(0, |draw| self.geometry.pixels_of(prim) * draw.program.weight(planes, pool))
+            });
+            work.sum()
+        } else {
+            self.geometry.pixels * ORDINARY + prims.len() as u64 * PRIMITIVE
+        };
+        usize::try_from(work / PAYS).unwrap_or(usize::MAX).saturating_add(1)
+    }
+
     /// Walks primitives over a band.
     pub fn walk(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
         let rows = band.y0 as i32..band.y0.saturating_add(band.rows) as i32;
@@ -245,6 +264,36 @@ impl<P: Shader> Flush<'_, P> {
                     }
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Flush;
+    use crate::batch::Level;
+    use crate::raster::geometry::{Cover, Geometry};
+    use crate::raster::state::Rect;
+    use crate::raster::testing::Board;
+    use std::slice::from_ref;
+
+    #[test]
+    fn threads_are_worth_more_the_more_there_is_to_do() {
+        let board = Board::new(64, 0, 1, 64, |_| {});
+        let worth = |side: i32, count: usize| {
+            let mut geometry = Geometry::default();
+            for _ in 0..count {
+                let cover = Cover::Rect(Rect { x0: 0, y0: 0, x1: side, y1: side });
+                geometry.file(cover, 0, Default::default(), u64::from(side.unsigned_abs().pow(2)));
+            }
+            let draws = from_ref(&board.draw);
+            Flush { draws, geometry: &geometry, cut: 64, level: Level::Baseline }.worth()
+        };
+        // Pixels of the board's shader are ordinary ones; 2^16 of them are worth a second thread.
+        let rows =
+            [(0, 0, 1), (255, 1, 1), (256, 1, 2), (256, 3, 4), (16, 255, 1), (16, 256, 2), (2, 3276, 1), (2, 3300, 2)];
+        for (side, count, want) in rows {
+            assert_eq!(worth(side, count), want, "{count} squares of {side}");
         }
     }
 }

@@ -143,6 +143,25 @@ impl Geometry {
         self.pixels += pixels;
     }
 
+    /// About how many pixels a primitive covers.
+    #[must_use]
+    pub fn pixels_of(&self, prim: &Prim) -> u64 {
+        let sides = |rect: &Rect| [rect.x1 - rect.x0, rect.y1 - rect.y0].map(|side| side.max(0).unsigned_abs().into());
+        let area = |rect: &Rect| sides(rect).iter().product::<u64>();
+        match prim.cover {
+            Cover::Mask { bits, .. } => bits.count_ones().into(),
+            Cover::Edges(i) => self.edges.get(i as usize).map_or(0, |edges| area(&edges.rect) / 2),
+            Cover::Rows(_) => 128,
+            Cover::Line(i) => self.lines.get(i as usize).map_or(0, |line| sides(&line.rect).iter().sum()),
+            Cover::Rect(rect) => area(&rect),
+            Cover::Disc(i) => self.discs.get(i as usize).map_or(0, |disc| area(&disc.rect)),
+            Cover::Outline(i) => self.outlines.get(i as usize).map_or(0, |outline| area(&outline.rect)),
+            Cover::Spans { first, count } => {
+                self.spans(first, count).iter().map(|span| u64::from(span.len.unsigned_abs())).sum()
+            }
+        }
+    }
+
     /// The rows that a primitive may touch.
     #[must_use]
     pub fn rows(&self, prim: &Prim) -> std::ops::Range<i32> {

@@ -2,7 +2,7 @@
 
 use crate::fragment::batch::{FragmentBatch, Segment as Run};
 use crate::fragment::planes::{Layout, PlanePool, Planes};
-use crate::fragment::program::Program;
+use crate::fragment::program::{ORDINARY, Program};
 use crate::framebuffer::Band;
 use std::sync::Arc;
 
@@ -18,9 +18,9 @@ pub trait Shader: Send + Sync {
     fn draws_nothing(&self) -> bool;
     /// Works on a batch.
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>);
-    /// Whether pixels of large areas cost next to nothing.
-    fn is_light(&self) -> bool {
-        false
+    /// About what a pixel of a large primitive costs, in pixels of one colour.
+    fn weight(&self, _planes: &Planes, _pool: PlanePool<'_>) -> u64 {
+        ORDINARY
     }
     /// Runs from this length on may be given to [`row`](Self::row).
     fn row_from(&self) -> u32;
@@ -57,8 +57,8 @@ impl<T: Shader> Shader for Arc<T> {
         (**self).run(batch, planes, pool, band);
     }
 
-    fn is_light(&self) -> bool {
-        (**self).is_light()
+    fn weight(&self, planes: &Planes, pool: PlanePool<'_>) -> u64 {
+        (**self).weight(planes, pool)
     }
 
     fn row_from(&self) -> u32 {
@@ -98,8 +98,8 @@ impl Shader for Program {
         Program::run(self, batch, planes, pool, band);
     }
 
-    fn is_light(&self) -> bool {
-        Program::is_light(self)
+    fn weight(&self, planes: &Planes, pool: PlanePool<'_>) -> u64 {
+        Program::weight(self, planes, pool)
     }
 
     fn row_from(&self) -> u32 {

@@ -319,6 +319,29 @@ fn samples_are_those_that_pass() {
 }
 
 #[test]
+fn a_pixel_weighs_more_with_every_thing_that_is_done_to_it() {
+    let format = FramebufferFormat::default();
+    let mut state = State::default();
+    let same = flat([0.5; 4], 100.0);
+    let mut varied = flat([0.5; 4], 100.0);
+    varied.pool[0].max = 1.0;
+    let mut weigh = |change: fn(&mut State), scene: &Scene| {
+        change(&mut state);
+        let p = program(Level::Baseline, &state, &format, Options::default());
+        p.weight(&scene.planes[0], (&scene.pool).into())
+    };
+    let weights = [
+        weigh(|_| (), &same),
+        weigh(|state| state.depth.test = true, &same),
+        weigh(|state| state.depth.test = false, &varied),
+        weigh(|state| state.depth.test = true, &varied),
+        weigh(|state| state.color_buffer.blend = true, &varied),
+        weigh(|state| state.color_buffer.blend_dst = [GL_ONE; 2], &varied),
+    ];
+    assert_eq!(weights, [1, 3, 4, 6, 6, 32]);
+}
+
+#[test]
 fn a_program_says_what_it_does() {
     let format = FramebufferFormat::default();
     let plain = program(Level::Baseline, &State::default(), &format, Options::default());
