@@ -3,6 +3,7 @@
 //! written, then the colour of what passed is computed and written. Blocks are of 64 pixels, the last of a run of 16.
 //! Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
+use super::along;
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::write;
 use super::compare::{Func, compare, holds, living};
@@ -194,6 +195,12 @@ fn rest(run: &Segment, done: u32, len: u32) -> Segment {
     Segment { x: run.x.wrapping_add(done as i32), offset: run.offset.wrapping_add(done), len, ..*run }
 }
 
+/// So many pixels from (x, y) on.
+#[inline(always)]
+fn along(x: i32, y: i32, n: u32) -> along::Run {
+    along::Run { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y }
+}
+
 /// The run of the first segment, filtered; as [`FILL_TEXELS`].
 #[inline(always)]
 fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool>(
@@ -212,7 +219,7 @@ fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: 
     let mut done = 0;
     while let Some((level, n)) = part(b, u, (&unit, shown.unit), (x.wrapping_add(done as i32), y, segment.len - done)) {
         let (part, x) = (rest(&segment, done, n), x.wrapping_add(done as i32));
-        let (row, of) = ((&part, y as f32), (&unit, shown));
+        let (row, of) = ((&part, along(x, y, n)), (&unit, shown));
         let Some(source) = Linear::<K, ROWS, FORMAT, BLENDED>::new(u, w, row, of, (image, level)) else { break };
         let depth = depth_test(planes, (x, y, n), u, arg);
         let did = run(w, &part, x, &Run { depth, source: Some(source) }) as u32;
@@ -267,7 +274,7 @@ stage! {
             part(b, u, (&unit, copied.unit), (x.wrapping_add(done as i32), y, segment.len - done))
         {
             let (part, x) = (rest(&segment, done, n), x.wrapping_add(done as i32));
-            let Some(source) = Texels::new(&unit, &copied.from, level, y as f32, u.packed_or) else { break };
+            let Some(source) = Texels::new(&unit, &copied.from, level, along(x, y, n), u.packed_or) else { break };
             let depth = depth_test(planes, (x, y, n), u, arg);
             let did = run(w, &part, x, &Run { depth, source: Some(source) }) as u32;
             done += did;

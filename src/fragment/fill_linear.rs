@@ -3,7 +3,7 @@
 //! wraps, fetch, filter, environment, rounding and store follow each other block by block, without a batch in between. Every
 //! number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Along, Divisor, Form, divisor, range};
+use super::along::{Along, Divisor, Form, Run, divisor, range};
 use super::batch::Segment;
 use super::blend::pair;
 use super::buffers::write;
@@ -192,11 +192,12 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: boo
     pub(super) fn new(
         u: &FragUniforms,
         w: &Work<'_, '_>,
-        (segment, y): (&Segment, f32),
+        (segment, run): (&Segment, Run),
         (unit, shown): (&Unit<'_, K>, &Shown),
         (image, level): (&'a WrappedImage<K>, u32),
     ) -> Option<Self> {
         let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
+        let y = run.y as f32;
         let environment = Environment::new::<FORMAT>(shown, colors, y, (u.scale, u.packed_or))?;
         if environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0 {
             return None;
@@ -207,7 +208,7 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: boo
             let n = level.size[k];
             wraps[k] = near::Form::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
         }
-        let form = Form::new(unit, y);
+        let form = Form::new(unit, run);
         let divides = matches!(form, Form::Divided(..)) || environment.interpolates();
         let d = (divides && !unit.planes.affine).then(|| divisor(&unit.planes.d, y));
         Some(Self { form, wraps, repeats, level, environment, d })

@@ -4,7 +4,7 @@
 //! positions to texels without a batch in between, and where all its fragments are alive texels are copied straight into
 //! the framebuffer. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Form, range};
+use super::along::{Form, Run, range};
 use super::buffers::write;
 use super::coordinates::Unit;
 use super::fill::Source;
@@ -38,12 +38,12 @@ impl<'a> Texels<'a> {
     /// The texels, of a level, of a row of a primitive; `None` where something is not as it is as a rule: coordinates that are not
     /// finite or too far from 0 for the simple wrap.
     #[inline(always)]
-    pub(super) fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, y: f32, or: u32) -> Option<Self> {
+    pub(super) fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, run: Run, or: u32) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
         let wrap = |k: usize| Near::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
         let (column, row) = (wrap(0)?, wrap(1)?);
         let (origin, stride, texels) = (level.origin, level.stride, filter::texels(level));
-        Some(Self { form: Form::new(unit, y), column, row, repeats, origin, stride, texels, or })
+        Some(Self { form: Form::new(unit, run), column, row, repeats, origin, stride, texels, or })
     }
 
     /// Where the texel at (s, t) is.

@@ -10,12 +10,21 @@ use super::segments::{CHUNK, Chunk, Piece, Positions, linear64, put};
 use crate::batch::LANES;
 use crate::num::max_f32;
 use crate::texture::batch::{Detail, Lanes, TexBatch};
+use crate::texture::near::Range;
 
 /// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
 #[inline(always)]
 pub(super) fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0;
     v - period * ((v * inverse + MAGIC) - MAGIC)
+}
+
+/// Between which numbers coordinates are without whole periods that were not farther from 0 than `greatest`: half a period is
+/// left of numbers that have a fraction, all of which is exact.
+#[inline(always)]
+pub(super) fn rest(greatest: f32, period: f32) -> Range {
+    let half = 0.5 * period;
+    if greatest < 1e9 { Range { least: -half, limit: half } } else { Range { least: -greatest, limit: greatest } }
 }
 
 /// Lanes of one primitive that fill the batch, in `f64`: [`wide_piece`] for all lanes at once.
@@ -62,11 +71,13 @@ pub(super) fn wide_lanes<const K: usize>(
         let (out, ddx, ddy) = (&mut coord[k], &mut ddx[k], &mut ddy[k]);
         let of = Wide { n0: p.n0, nx: p.nx, ny: p.ny, c, min, max, d_x: d.x, d_y: d.y, even };
         let period = f64::from(slots.period[k]);
-        // Half a period is left, and what rounding adds, of numbers that have a fraction.
         let greatest = max_f32(p.max.abs(), p.min.abs());
         (limit[k], least[k]) = match slots.period[k] {
             0 => (greatest, p.min),
-            _ => (if greatest < 1e9 { 2.0 } else { greatest }, f32::NEG_INFINITY),
+            _ => {
+                let Range { least, limit } = rest(greatest, f32::from(slots.period[k]));
+                (limit, least)
+            }
         };
         match slots.period[k] {
             0 => of.lanes([out, ddx, ddy], &rq, places, derivatives, |v| v),

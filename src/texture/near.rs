@@ -86,6 +86,8 @@ pub enum Form {
     Inside,
     /// REPEAT: the low bits of the index.
     Around(u32),
+    /// The same where whole numbers were taken off before.
+    Fraction(u32),
     /// CLAMP and CLAMP_TO_EDGE.
     Limited,
 }
@@ -100,7 +102,9 @@ impl Form {
             return Some(if inside { Self::Inside } else { Self::Limited });
         }
         let mask = repeat_mask(range.limit, scale, n)?;
-        Some(if inside { Self::Inside } else { Self::Around(mask) })
+        // Ties go to even numbers, so 0.5 is taken for a fraction, too.
+        let whole = if range.limit <= 0.5 { Self::Fraction(mask) } else { Self::Around(mask) };
+        Some(if inside { Self::Inside } else { whole })
     }
 
     /// Gives each lane the index of the first of its two texels, and writes the weight of the second.
@@ -126,6 +130,13 @@ impl Form {
                     let (bits, w) = pair((s[i] - ((s[i] + MAGIC) - MAGIC)) * n);
                     weight[i] = w;
                     // The low bits of MAGIC are 0.
+                    put(i, (bits & mask).cast_signed());
+                }
+            }
+            Self::Fraction(mask) => {
+                for i in 0..N {
+                    let (bits, w) = pair(s[i] * n);
+                    weight[i] = w;
                     put(i, (bits & mask).cast_signed());
                 }
             }
