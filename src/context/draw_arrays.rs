@@ -145,11 +145,7 @@ impl Engine {
         let Self { pipe, lanes, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let list = index_list(&client.arrays, buffers, count, type_, indices)?;
         // Only memory of unknown length needs to know which elements are drawn.
-        let range = if client.arrays.has_client_memory() {
-            list.numbers().fold((u32::MAX, 0), |(least, most), i| (least.min(i), most.max(i)))
-        } else {
-            (0, u32::MAX)
-        };
+        let range = if client.arrays.has_client_memory() { list.limits() } else { (0, u32::MAX) };
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
         sources.defaults(&mut pipe.lane.chunk.batch);

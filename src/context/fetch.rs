@@ -8,8 +8,8 @@ use super::convert::{Component, Coordinate};
 use super::pixels_arg::ArrayData;
 use crate::batch::LANES;
 use crate::enums::*;
-use crate::vertex::Source;
 use crate::vertex::batch::{Lanes, VertexBatch, needs};
+use crate::vertex::{Keys, Source};
 
 /// A number in memory.
 trait Stored: Coordinate + Component {
@@ -29,34 +29,47 @@ macro_rules! stored {
 stored!(u8 i8 u16 i16 u32 i32 f32 f64);
 
 /// Reads the elements of some indices into lanes: bytes, stride, the index that the bytes begin with, the indices.
-type Reader = fn(&[u8], usize, u32, &[u32], &mut [Lanes]);
+type Reader = fn(&[u8], usize, u32, &Keys<'_>, &mut [Lanes]);
 
 #[inline(always)]
 fn read<T: Stored, const N: usize>(
     (bytes, stride, first): (&[u8], usize, u32),
-    ids: &[u32],
+    keys: &Keys<'_>,
     out: &mut [Lanes],
     convert: impl Fn(T) -> f32,
 ) {
     let Some(out) = out.first_chunk_mut::<N>() else { return };
-    for (lane, id) in ids.iter().enumerate().take(LANES) {
-        let at = id.wrapping_sub(first) as usize * stride;
-        let element = bytes.get(at..).and_then(|b| b.get(..N * T::BYTES));
+    let mut put = |lane: usize, element: Option<&[u8]>| {
         for (c, lanes) in out.iter_mut().enumerate() {
             lanes[lane] = match element {
                 Some(element) => convert(T::read(&element[c * T::BYTES..])),
                 None => 0.0,
             };
         }
+    };
+    let at = |id: u32| id.wrapping_sub(first) as usize * stride;
+    match keys {
+        Keys::Range(range) => {
+            let mut rest = bytes.get(at(range.start)..).unwrap_or_default();
+            for lane in 0..range.len().min(LANES) {
+                put(lane, rest.get(..N * T::BYTES));
+                rest = rest.get(stride..).unwrap_or_default();
+            }
+        }
+        Keys::List(ids) => {
+            for (lane, id) in ids.iter().enumerate().take(LANES) {
+                put(lane, bytes.get(at(*id)..).and_then(|b| b.get(..N * T::BYTES)));
+            }
+        }
     }
 }
 
-fn numbers<T: Stored, const N: usize>(bytes: &[u8], stride: usize, first: u32, ids: &[u32], out: &mut [Lanes]) {
-    read::<T, N>((bytes, stride, first), ids, out, T::float);
+fn numbers<T: Stored, const N: usize>(bytes: &[u8], stride: usize, first: u32, keys: &Keys<'_>, out: &mut [Lanes]) {
+    read::<T, N>((bytes, stride, first), keys, out, T::float);
 }
 
-fn fractions<T: Stored, const N: usize>(bytes: &[u8], stride: usize, first: u32, ids: &[u32], out: &mut [Lanes]) {
-    read::<T, N>((bytes, stride, first), ids, out, T::unit);
+fn fractions<T: Stored, const N: usize>(bytes: &[u8], stride: usize, first: u32, keys: &Keys<'_>, out: &mut [Lanes]) {
+    read::<T, N>((bytes, stride, first), keys, out, T::unit);
 }
 
 /// The reader of a type and size; `unit` takes integers as fractions of their range (colours, normals).
@@ -199,7 +212,7 @@ impl<'a> Sources<'a> {
     pub(crate) fn element(&self, place: usize, id: u32) -> Option<[f32; 4]> {
         let s = self.sources.get(place)?.as_ref()?;
         let mut lanes = [[0.0; LANES]; 4];
-        (s.reader)(s.bytes, s.stride, s.first, &[id], &mut lanes);
+        (s.reader)(s.bytes, s.stride, s.first, &Keys::List(&[id]), &mut lanes);
         let mut value = [0.0, 0.0, 0.0, 1.0];
         for (to, from) in value.iter_mut().zip(&lanes).take(s.size) {
             *to = from[0];
@@ -209,27 +222,28 @@ impl<'a> Sources<'a> {
 }
 
 impl Source for Sources<'_> {
-    fn places(&self, ids: &[u32], batch: &mut VertexBatch) {
-        batch.n = ids.len().min(LANES);
+    fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
+        batch.n = keys.len().min(LANES);
         if let Some(s) = &self.sources[Attribute::Vertex as usize] {
             batch.w_is_one = s.size < 4;
-            (s.reader)(s.bytes, s.stride, s.first, ids, &mut batch.position);
+            (s.reader)(s.bytes, s.stride, s.first, keys, &mut batch.position);
         }
         if let Some(s) = &self.sources[Attribute::EdgeFlag as usize] {
-            for (flag, id) in batch.edge.iter_mut().zip(ids) {
+            for (i, flag) in batch.edge.iter_mut().enumerate() {
+                let Some(id) = keys.get(i) else { break };
                 let at = id.wrapping_sub(s.first) as usize * s.stride;
                 *flag = s.bytes.get(at).is_some_and(|b| *b != 0);
             }
         }
     }
 
-    fn values(&self, ids: &[u32], batch: &mut VertexBatch) {
+    fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         for (place, source) in self.sources.iter().enumerate() {
             let Some(s) = source else { continue };
             if place != Attribute::Vertex as usize
                 && let Some(lanes) = lanes(batch, place)
             {
-                (s.reader)(s.bytes, s.stride, s.first, ids, lanes);
+                (s.reader)(s.bytes, s.stride, s.first, keys, lanes);
             }
         }
     }

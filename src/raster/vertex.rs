@@ -19,7 +19,35 @@ pub struct Vertex {
     pub point_size: f32,
 }
 
-/// Bits of [`Vertex::outcode`].
+/// Where a vertex is, as far as that decides over primitives, in one word: the outcode in the low 16 bits, then window x and
+/// y in 1/256 pixel with 24 bits each, which is enough for positions within the guard band; others mean nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Place(pub u64);
+
+impl Place {
+    /// The word.
+    #[inline(always)]
+    #[must_use]
+    pub const fn new([x, y]: [i32; 2], outcode: u32) -> Self {
+        Self(((y as u32 as u64) << 40) | (((x as u32 & 0xFF_FFFF) as u64) << 16) | (outcode & 0xFFFF) as u64)
+    }
+
+    /// Window position in 1/256 pixel.
+    #[inline(always)]
+    #[must_use]
+    pub const fn snapped(self) -> [i32; 2] {
+        [((self.0 << 24) as i64 >> 40) as i32, (self.0 as i64 >> 40) as i32]
+    }
+
+    /// The outcode.
+    #[inline(always)]
+    #[must_use]
+    pub const fn outcode(self) -> u32 {
+        self.0 as u32 & 0xFFFF
+    }
+}
+
+/// Bits of [`Vertex::outcode`]; there are 16.
 pub mod outcode {
     /// x < -w.
     pub const LEFT: u32 = 1;
@@ -36,11 +64,11 @@ pub mod outcode {
     /// User clip plane i is `USER << i`.
     pub const USER: u32 = 64;
     /// Window x or y outside the guard band of +-32767: a triangle with such a vertex is clipped against the guard band.
-    pub const GUARD: u32 = 1 << 16;
+    pub const GUARD: u32 = 1 << 12;
     /// w is not positive enough for a division, or a coordinate is not finite.
-    pub const BEHIND: u32 = 1 << 17;
+    pub const BEHIND: u32 = 1 << 13;
     /// A coordinate is NaN: the primitive is dropped.
-    pub const NAN: u32 = 1 << 18;
+    pub const NAN: u32 = 1 << 14;
     /// The six planes of the view volume.
     pub const FRUSTUM: u32 = 63;
     /// All user planes.

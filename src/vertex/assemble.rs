@@ -10,12 +10,16 @@
 //! ```
 
 use super::Assembled;
+use super::batch::{VertexBatch, needs};
+use super::chunk::run;
 use super::clip::Clipper;
 use super::counts::Counts;
 use super::plan::VertexPlan;
 use super::pool::Pool;
+use super::sight::{CULLS, Triangles, nowhere};
+use crate::batch::LANES;
 use crate::enums::*;
-use crate::raster::vertex::{outcode, twice_area};
+use crate::raster::vertex::{Place, twice_area};
 
 /// Joins vertices into primitives.
 #[derive(Clone, Debug, Default)]
@@ -96,39 +100,36 @@ impl Primitive {
 /// Where the assembler collects what can be seen.
 #[derive(Debug)]
 pub struct Output<'a> {
-    clip_mask: u32,
-    edges: bool,
+    /// The plan of the vertices.
+    pub plan: &'a VertexPlan,
     /// What the sink [culls](Assembled::culls).
-    culls: [bool; 2],
-    seen: &'a mut Vec<Primitive>,
-    counts: &'a mut Counts,
+    pub culls: [bool; 2],
+    /// Where stages look at triangles.
+    pub batch: &'a mut VertexBatch,
+    /// What can be seen.
+    pub seen: &'a mut Vec<Primitive>,
+    /// What was done.
+    pub counts: &'a mut Counts,
 }
 
-/// Whether all vertices are outside of one plane, or one is nowhere.
-#[inline]
-fn nowhere(all: u32, any: u32) -> bool {
-    all & (outcode::FRUSTUM | outcode::USER_ALL) != 0 || any & outcode::NAN != 0
-}
-
-impl<'a> Output<'a> {
-    /// What works with a plan's vertices for a sink that culls.
-    pub fn new(plan: &VertexPlan, culls: [bool; 2], seen: &'a mut Vec<Primitive>, counts: &'a mut Counts) -> Self {
-        let edges = plan.needs & super::batch::needs::EDGE != 0;
-        Self { clip_mask: plan.clip_mask, edges, culls, seen, counts }
+impl Output<'_> {
+    /// Whether edge flags matter.
+    fn edges(&self) -> bool {
+        self.plan.needs & needs::EDGE != 0
     }
 
-    #[inline(always)]
+    #[inline]
     fn triangle(&mut self, pool: &Pool, ids: [u32; 3], provoking: u8, edges: [bool; 3]) {
-        let Some([a, b, c]) = pool.places(ids) else { return };
-        let any = a.outcode | b.outcode | c.outcode;
-        if nowhere(a.outcode & b.outcode & c.outcode, any) {
+        let [a, b, c] = ids.map(|id| pool.place(id));
+        let any = a.0 | b.0 | c.0;
+        if nowhere(a.0 & b.0 & c.0, any) {
             self.counts.outside += 1;
             return;
         }
-        let clip = any & self.clip_mask != 0;
+        let clip = any & u64::from(self.plan.clip_mask) != 0;
         let [positive, other] = self.culls;
         if !clip && (positive | other) {
-            let counter_clockwise = twice_area(&[a.snapped, b.snapped, c.snapped]) > 0;
+            let counter_clockwise = twice_area(&[a.snapped(), b.snapped(), c.snapped()]) > 0;
             if if counter_clockwise { positive } else { other } {
                 self.counts.culled += 1;
                 return;
@@ -137,27 +138,37 @@ impl<'a> Output<'a> {
         self.seen.push(Primitive { ids, kind: Kind::Triangle { provoking, edges }, clip });
     }
 
-    /// Triangles that have no vertex in common. Most draws are made of them, so they have a loop to themselves.
+    /// Triangles that have no vertex in common. Most draws are made of them, so they are looked at many at a time.
     fn triangles(&mut self, pool: &Pool, triangles: &[[u32; 3]]) {
-        if self.edges {
-            for ids in triangles {
-                let edges = ids.map(|id| self.edge(pool, id));
-                self.triangle(pool, *ids, 2, edges);
-            }
-        } else {
-            for ids in triangles {
-                self.triangle(pool, *ids, 2, [true; 3]);
+        let with_edges = self.edges();
+        let [positive, other] = [0, 1].map(|k: usize| if self.culls[k] { CULLS[k] } else { 0 });
+        let mut sight = self.plan.sight;
+        sight.arg = self.plan.clip_mask | positive | other;
+        for block in triangles.chunks(LANES) {
+            self.batch.triangles.n = block.len();
+            pool.corners(block, &mut self.batch.triangles.corners);
+            run(self.plan, &[sight], self.batch);
+            let Triangles { mut seen, clipped, outside, culled, .. } = self.batch.triangles;
+            self.counts.outside += u64::from(outside.count_ones());
+            self.counts.culled += u64::from(culled.count_ones());
+            while seen != 0 {
+                let i = seen.trailing_zeros();
+                seen &= seen - 1;
+                let Some(&ids) = block.get(i as usize) else { break };
+                let edges = if with_edges { ids.map(|id| pool.edge(id)) } else { [true; 3] };
+                let kind = Kind::Triangle { provoking: 2, edges };
+                self.seen.push(Primitive { ids, kind, clip: clipped >> i & 1 != 0 });
             }
         }
     }
 
     #[inline]
     fn line(&mut self, pool: &Pool, [a, b]: [u32; 2], provoking: u8, restart: bool) {
-        let Some([p, q, _]) = pool.places([a, b, b]) else { return };
-        let any = p.outcode | q.outcode;
-        if !nowhere(p.outcode & q.outcode, any) {
+        let [p, q] = [pool.place(a), pool.place(b)];
+        let any = p.0 | q.0;
+        if !nowhere(p.0 & q.0, any) {
             let kind = Kind::Line { provoking, restart };
-            self.seen.push(Primitive { ids: [a, b, b], kind, clip: any != 0 });
+            self.seen.push(Primitive { ids: [a, b, b], kind, clip: Place(any).outcode() != 0 });
         } else {
             self.counts.outside += 1;
         }
@@ -165,17 +176,11 @@ impl<'a> Output<'a> {
 
     #[inline]
     fn point(&mut self, pool: &Pool, id: u32) {
-        if pool.places([id; 3]).is_some_and(|[place, ..]| place.outcode == 0) {
+        if pool.place(id).outcode() == 0 {
             self.seen.push(Primitive { ids: [id; 3], kind: Kind::Point, clip: false });
         } else {
             self.counts.outside += 1;
         }
-    }
-
-    /// A polygon edge's flag, as its first vertex gives it.
-    #[inline]
-    fn edge(&self, pool: &Pool, id: u32) -> bool {
-        pool.get(id).is_none_or(|v| v.head.edge)
     }
 
     /// A quadrilateral in the order of its outline, whose corner 3 gives the flat colour: its diagonal runs from 1 to 3.
@@ -239,7 +244,7 @@ impl Assembler {
             GL_QUADS => {
                 let (begun, quads) = self.groups(ids);
                 for ids in begun.iter().chain(quads) {
-                    let edges = ids.map(|id| out.edge(pool, id));
+                    let edges = ids.map(|id| pool.edge(id));
                     out.quad(pool, *ids, edges);
                 }
             }
@@ -313,7 +318,7 @@ impl Assembler {
 
     fn polygon_triangle(&mut self, pool: &Pool, out: &mut Output<'_>, last: bool) {
         let [first, a, b, _] = self.hold;
-        let edges = [self.count == 0 && out.edge(pool, first), out.edge(pool, a), last && out.edge(pool, b)];
+        let edges = [self.count == 0 && pool.edge(first), pool.edge(a), last && pool.edge(b)];
         out.triangle(pool, [first, a, b], 0, edges);
     }
 

@@ -2,8 +2,10 @@
 //! stages work on (positions in f64, colours in f32), and one array a slot of what is handed on. Stages never write to
 //! the input arrays, so a value that is the same for all vertices of a draw is filled in once.
 
+use super::sight::Triangles;
 use crate::batch::LANES;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
+use crate::raster::vertex::Place;
 use crate::state::current::Current;
 
 /// One f32 for each lane.
@@ -73,10 +75,8 @@ pub struct VertexBatch {
     pub user: [Wide; MAX_CLIP_PLANES],
     /// Window coordinates.
     pub window: [Wide; 3],
-    /// Window x, y in 1/256 pixel.
-    pub snapped: [[i32; LANES]; 2],
-    /// Outcode.
-    pub outcode: [u32; LANES],
+    /// Window x, y in 1/256 pixel and outcode.
+    pub place: [Place; LANES],
     /// Derived point size.
     pub point_size: Lanes,
     /// Normal in eye coordinates.
@@ -99,6 +99,8 @@ pub struct VertexBatch {
     pub coord: [Wide; 4],
     /// What is handed on, slot by slot, then four arrays for a colour that nobody wants.
     pub out: [Lanes; MAX_SLOTS + 4],
+    /// Triangles of placed vertices.
+    pub triangles: Triangles,
     /// How many lanes are in use.
     pub n: usize,
     /// `n` rounded up to a multiple of 16: how many lanes stages compute.
@@ -130,8 +132,7 @@ impl VertexBatch {
             clip: [W; 4],
             user: [W; MAX_CLIP_PLANES],
             window: [W; 3],
-            snapped: [[0; LANES]; 2],
-            outcode: [0; LANES],
+            place: [Place(0); LANES],
             point_size: Z,
             eye_normal: [Z; 3],
             reflection: [W; 3],
@@ -143,6 +144,7 @@ impl VertexBatch {
             faces: [face.clone(), face],
             coord: [W; 4],
             out: [Z; MAX_SLOTS + 4],
+            triangles: Triangles::default(),
         })
     }
 

@@ -11,7 +11,7 @@ use super::clip::Clipper;
 use super::counts::Counts;
 use super::plan::{VertFn, VertexPlan};
 use super::pool::Pool;
-use super::{Assembled, Source};
+use super::{Assembled, Keys, Source};
 use crate::batch::{LANES, Step};
 use crate::enums::GLenum;
 
@@ -45,7 +45,7 @@ impl Default for Chunk {
 }
 
 /// Runs some stages of a plan over a batch.
-fn run(plan: &VertexPlan, steps: &[Step<VertFn>], batch: &mut VertexBatch) {
+pub(super) fn run(plan: &VertexPlan, steps: &[Step<VertFn>], batch: &mut VertexBatch) {
     batch.n = batch.n.min(LANES);
     batch.span = batch.n.next_multiple_of(16).min(LANES);
     for step in steps {
@@ -64,7 +64,8 @@ impl Chunk {
 
     /// Assembles vertices of the pool.
     pub fn feed(&mut self, plan: &VertexPlan, culls: [bool; 2], ids: &[u32]) {
-        self.assembler.feed(ids, &self.pool, &mut Output::new(plan, culls, &mut self.seen, &mut self.counts));
+        let Self { assembler, pool, batch, seen, counts, .. } = self;
+        assembler.feed(ids, pool, &mut Output { plan, culls, batch, seen, counts });
     }
 
     /// Assembles the vertices of the pool from one on: those of a batch.
@@ -74,7 +75,8 @@ impl Chunk {
 
     /// Ends the primitive.
     pub fn end(&mut self, plan: &VertexPlan, culls: [bool; 2]) {
-        self.assembler.end(&self.pool, &mut Output::new(plan, culls, &mut self.seen, &mut self.counts));
+        let Self { assembler, pool, batch, seen, counts, .. } = self;
+        assembler.end(pool, &mut Output { plan, culls, batch, seen, counts });
     }
 
     /// Whether no vertex waits for others.
@@ -121,17 +123,20 @@ impl Chunk {
         culls: [bool; 2],
     ) {
         let first = self.held();
-        for keys in elements.keys.chunks(cut.clamp(1, LANES)) {
-            source.places(keys, &mut self.batch);
+        let cut = cut.clamp(1, LANES);
+        for from in (0..elements.keys.len()).step_by(cut) {
+            source.places(&elements.keys.part(from, cut), &mut self.batch);
             self.place(plan);
         }
         self.feed(plan, culls, elements.ids);
-        self.value_used(plan, source, first, elements.keys);
+        if !self.seen.is_empty() || !self.assembler.held().is_empty() {
+            self.value_used(plan, source, first, &elements.keys);
+        }
     }
 
-    /// Gives those vertices of the pool from `first` on their values that something needs. `keys` are their places in
-    /// the source.
-    fn value_used<S: Source>(&mut self, plan: &VertexPlan, source: &S, first: u32, keys: &[u32]) {
+    /// Gives those vertices of the pool from `first` on their values that something needs. They run through all stages,
+    /// since their batches are others than those that they were placed in. `keys` are their places in the source.
+    fn value_used<S: Source>(&mut self, plan: &VertexPlan, source: &S, first: u32, keys: &Keys<'_>) {
         self.used.clear();
         self.used.resize(keys.len(), false);
         let seen = self.seen.iter().flat_map(Primitive::ids).chain(self.assembler.held().iter().copied());
@@ -140,23 +145,22 @@ impl Chunk {
                 *used = true;
             }
         }
-        let steps = plan.plan.steps.get(plan.places..).unwrap_or_default();
-        let (mut ids, mut of, mut n) = ([0; LANES], [0; LANES], 0);
+        let (mut at, mut of, mut n) = ([0; LANES], [0; LANES], 0);
         let last = keys.len().saturating_sub(1);
-        for (i, (key, used)) in keys.iter().zip(&self.used).enumerate() {
+        for (i, used) in self.used.iter().enumerate() {
             if *used {
-                (ids[n], of[n]) = (first + i as u32, *key);
+                (at[n], of[n]) = (i as u32, keys.get(i).unwrap_or(0));
                 n += 1;
             }
             if n == LANES || (i == last && n > 0) {
-                if plan.values_by_position {
-                    source.places(&of[..n], &mut self.batch);
-                }
-                source.values(&of[..n], &mut self.batch);
-                self.batch.n = n;
-                run(plan, steps, &mut self.batch);
+                // Neighbours are read faster.
+                let whole = matches!(keys, Keys::Range(_)) && at[n - 1] - at[0] == n as u32 - 1;
+                let keys = if whole { Keys::Range(of[0]..of[0] + n as u32) } else { Keys::List(&of[..n]) };
+                source.places(&keys, &mut self.batch);
+                source.values(&keys, &mut self.batch);
+                run(plan, &plan.plan.steps, &mut self.batch);
                 self.counts.valued += n as u64;
-                self.pool.fill(&self.batch, ids.into_iter().take(n));
+                self.pool.fill(&self.batch, at.into_iter().take(n).map(|at| first + at));
                 n = 0;
             }
         }

@@ -6,7 +6,7 @@
 use super::cache::{IndexList, VertexCache};
 use super::chunk::Chunk;
 use super::plan::VertexPlan;
-use super::{Assembled, Source};
+use super::{Assembled, Keys, Source};
 use crate::batch::LANES;
 use crate::enums::*;
 use crate::raster::{Builder, Pieces, Shader};
@@ -127,10 +127,9 @@ impl Lane {
         while at < range.end {
             // Batches end at multiples of 64 vertices, where a source may have its own batches end.
             let n = cut.min(LANES as u32 - at % LANES as u32).min(range.end - at);
-            let keys: [u32; LANES] = std::array::from_fn(|i| at.wrapping_add(i as u32));
-            let keys = keys.get(..n as usize).unwrap_or_default();
-            draw.source.places(keys, &mut chunk.batch);
-            draw.source.values(keys, &mut chunk.batch);
+            let keys = Keys::Range(at..at + n);
+            draw.source.places(&keys, &mut chunk.batch);
+            draw.source.values(&keys, &mut chunk.batch);
             let first = chunk.place(draw.plan);
             chunk.feed_batch(draw.plan, culls, first);
             chunk.value_batch(draw.plan, first);

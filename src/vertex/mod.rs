@@ -21,6 +21,7 @@ pub mod piece;
 pub mod pipe;
 pub mod plan;
 pub mod pool;
+pub mod sight;
 pub mod store;
 pub mod tex_coord;
 pub mod transform;
@@ -34,6 +35,7 @@ use batch::VertexBatch;
 use clip::Clipper;
 use plan::VertexPlan;
 use pool::Pool;
+use std::ops::Range;
 
 /// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
 /// hit record.
@@ -106,12 +108,63 @@ impl<P: Shader> Assembled for Builder<'_, P> {
     }
 }
 
+/// Some elements of a source.
+#[derive(Clone, Debug)]
+pub enum Keys<'a> {
+    /// One after the other.
+    Range(Range<u32>),
+    /// Each by its place in the source.
+    List(&'a [u32]),
+}
+
+impl Keys<'_> {
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Range(range) => range.len(),
+            Self::List(list) => list.len(),
+        }
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The element at some place.
+    #[inline]
+    #[must_use]
+    pub fn get(&self, i: usize) -> Option<u32> {
+        match self {
+            Self::Range(range) => (i < range.len()).then(|| range.start.wrapping_add(i as u32)),
+            Self::List(list) => list.get(i).copied(),
+        }
+    }
+
+    /// Those from one place on, at most `count`.
+    #[must_use]
+    pub fn part(&self, from: usize, count: usize) -> Self {
+        match self {
+            Self::Range(range) => {
+                let at = |i: usize| range.start.saturating_add(u32::try_from(i).unwrap_or(u32::MAX)).min(range.end);
+                Self::Range(at(from)..at(from.saturating_add(count)))
+            }
+            Self::List(list) => {
+                let rest = list.get(from..).unwrap_or_default();
+                Self::List(rest.get(..count).unwrap_or(rest))
+            }
+        }
+    }
+}
+
 /// Where vertices come from: arrays, or what Begin and End have collected.
 pub trait Source: Sync {
     /// Fills the batch with positions and edge flags of some elements, at most 64.
-    fn places(&self, keys: &[u32], batch: &mut VertexBatch);
+    fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
     /// Fills the batch with all other attributes of some elements.
-    fn values(&self, keys: &[u32], batch: &mut VertexBatch);
+    fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
 }
 
 #[cfg(test)]

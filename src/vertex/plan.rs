@@ -4,6 +4,7 @@
 
 use super::batch::{MAX_SLOTS, VertexBatch, needs};
 use super::normal::{NORMAL, NORMAL_UNIT, Rescale, normal_matrix};
+use super::sight::SIGHT;
 use super::uniforms::{LightNumbers, MaterialNumbers, UnitNumbers, VertexUniforms, ViewportNumbers};
 use super::{lighting, material, tex_coord, transform};
 use crate::batch::{Level, Plan, Step};
@@ -37,8 +38,8 @@ pub struct VertexPlan {
     /// How many stages place a vertex: position, outcode, point size. The others run only for vertices that something
     /// visible uses.
     pub places: usize,
-    /// Whether stages after those read positions.
-    pub values_by_position: bool,
+    /// Which triangles can be seen.
+    pub sight: Step<VertFn>,
     /// The numbers.
     pub uniforms: VertexUniforms,
     /// The attributes that the stages read, bits of [`needs`].
@@ -60,8 +61,6 @@ struct Requirements {
     point: bool,
     normal: bool,
     reflection: bool,
-    /// Object coordinates.
-    object: bool,
 }
 
 impl VertexPlan {
@@ -71,7 +70,7 @@ impl VertexPlan {
         Self {
             plan: Plan::new(level),
             places: 0,
-            values_by_position: false,
+            sight: Step { name: SIGHT.name, run: SIGHT.levels[level as usize], arg: 0 },
             uniforms: VertexUniforms::default(),
             needs: 0,
             layout: Layout::default(),
@@ -104,7 +103,7 @@ impl VertexPlan {
                 self.unit(&mut tail, unit, *slots, state, &mut r);
             }
         }
-        self.place(state, &r);
+        self.place(state);
         if r.eye || r.point {
             self.plan.push(&transform::EYE, 0);
         }
@@ -174,7 +173,7 @@ impl VertexPlan {
 
     /// The stages that place a vertex; the rest of the list does not read what they leave behind, except where every
     /// vertex of a batch runs through both.
-    fn place(&mut self, state: &State, r: &Requirements) {
+    fn place(&mut self, state: &State) {
         let p = &state.point;
         self.uniforms.point = [p.size, p.size_min, p.size_max];
         self.uniforms.point_attenuation = p.distance_attenuation;
@@ -192,7 +191,6 @@ impl VertexPlan {
         }
         self.plan.push(if distance { &transform::POINT_DISTANCE } else { &transform::POINT_SIZE }, 0);
         self.places = self.plan.steps.len();
-        self.values_by_position = r.eye || r.point || r.object;
     }
 
     /// Stages of a unit (section 2.11.4): generation of the coordinates that the layout takes, then the matrix.
@@ -230,7 +228,6 @@ impl VertexPlan {
                 GL_NORMAL_MAP if c < 3 => &tex_coord::GEN_NORMAL,
                 _ => &tex_coord::GEN_EYE,
             };
-            r.object |= generation.mode == GL_OBJECT_LINEAR;
             r.eye |= generation.mode == GL_EYE_LINEAR;
             r.normal |= generation.mode == GL_NORMAL_MAP;
             if matches!(generation.mode, GL_SPHERE_MAP | GL_REFLECTION_MAP) {

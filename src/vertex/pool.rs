@@ -7,23 +7,22 @@ use super::plan::VertexPlan;
 use crate::batch::LANES;
 use crate::fragment::planes::Layout;
 use crate::limits::MAX_CLIP_PLANES;
-use crate::raster::vertex::{Vertex, Vertices};
+use crate::raster::vertex::{Place, Vertex, Vertices};
 
-/// What decides over most triangles, close together: facing and outcodes are found without touching the rest.
-#[derive(Clone, Copy, Debug, Default)]
-#[repr(C, align(16))]
-pub struct Place {
-    /// Window position in 1/256 pixel.
-    pub snapped: [i32; 2],
-    /// Outcode.
-    pub outcode: u32,
-}
+/// Vertices of a pool at most; ids are taken modulo this number.
+pub const PLACES: usize = 8192;
 
 /// Processed vertices.
 #[derive(Clone, Debug, Default)]
 pub struct Pool {
+    /// How many vertices there are.
+    count: usize,
+    /// What decides over most triangles, close together: facing and outcodes are found without touching the rest. Always
+    /// as long as a pool may be.
     places: Vec<Place>,
-    /// Position parts and slots.
+    /// Edge flags.
+    edges: Vec<bool>,
+    /// Position parts and slots of the vertices that have been given theirs.
     pub vertices: Vertices,
     /// Distances to the user clip planes, `user_stride` for each vertex.
     user: Vec<f64>,
@@ -34,8 +33,7 @@ pub struct Pool {
 impl Pool {
     /// Forgets all vertices and takes the shape of a plan's output.
     pub fn reset(&mut self, plan: &VertexPlan) {
-        self.places.clear();
-        self.vertices.head.clear();
+        self.count = 0;
         self.vertices.stride = plan.layout.stride;
         self.user.clear();
         self.user_stride = plan.uniforms.user_count.min(MAX_CLIP_PLANES);
@@ -44,21 +42,39 @@ impl Pool {
     /// How many vertices there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.vertices.head.len()
+        self.count
     }
 
     /// Whether there is no vertex.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.vertices.head.is_empty()
+        self.count == 0
     }
 
-    /// What decides over a triangle with these corners.
-    #[inline(always)]
+    /// Where a vertex is.
+    #[inline]
     #[must_use]
-    pub fn places(&self, [a, b, c]: [u32; 3]) -> Option<[&Place; 3]> {
-        let place = |id: u32| self.places.get(id as usize);
-        Some([place(a)?, place(b)?, place(c)?])
+    pub fn place(&self, id: u32) -> Place {
+        self.places.get(id as usize % PLACES).copied().unwrap_or_default()
+    }
+
+    /// Where the corners of triangles are.
+    #[inline]
+    pub fn corners(&self, triangles: &[[u32; 3]], corners: &mut [[Place; LANES]; 3]) {
+        let Some(places) = self.places.first_chunk::<PLACES>() else { return };
+        let [a, b, c] = corners;
+        for (ids, ((a, b), c)) in triangles.iter().zip(a.iter_mut().zip(b).zip(c)) {
+            *a = places[ids[0] as usize % PLACES];
+            *b = places[ids[1] as usize % PLACES];
+            *c = places[ids[2] as usize % PLACES];
+        }
+    }
+
+    /// Whether the edge that begins at a vertex is a boundary edge.
+    #[inline]
+    #[must_use]
+    pub fn edge(&self, id: u32) -> bool {
+        self.edges.get(id as usize).is_none_or(|edge| *edge)
     }
 
     /// A vertex.
@@ -79,18 +95,16 @@ impl Pool {
 
     /// Appends the places of the vertices of a batch; they have no values yet.
     pub fn append(&mut self, b: &VertexBatch) {
-        let n = b.n.min(LANES);
-        self.vertices.head.extend((0..n).map(|i| Vertex {
-            clip: [b.clip[0][i], b.clip[1][i], b.clip[2][i], b.clip[3][i]],
-            window: [b.window[0][i], b.window[1][i], b.window[2][i]],
-            snapped: [b.snapped[0][i], b.snapped[1][i]],
-            outcode: b.outcode[i],
-            edge: b.edge[i],
-            point_size: b.point_size[i],
-        }));
-        let [xs, ys] = &b.snapped;
-        self.places.extend((0..n).map(|i| Place { snapped: [xs[i], ys[i]], outcode: b.outcode[i] }));
-        self.make_slots();
+        let n = b.n.min(LANES).min(PLACES - self.count.min(PLACES));
+        self.make_room(n);
+        let new = self.count..self.count + n;
+        if let Some(places) = self.places.get_mut(new.clone()) {
+            places.copy_from_slice(&b.place[..n]);
+        }
+        if let Some(edges) = self.edges.get_mut(new.clone()) {
+            edges.copy_from_slice(&b.edge[..n]);
+        }
+        self.count = new.end;
         if self.user_stride > 0 {
             for i in 0..n {
                 self.user.extend(b.user.iter().take(self.user_stride).map(|lanes| lanes[i]));
@@ -98,17 +112,36 @@ impl Pool {
         }
     }
 
-    /// Makes room for the values of all vertices. Those that nobody has given yet are never read, so what earlier vertices
-    /// had may stay there.
-    fn make_slots(&mut self) {
-        let slots = self.vertices.head.len() * self.vertices.stride;
+    /// Makes room for more vertices. What nobody has given them yet is never read, so what earlier vertices had may stay
+    /// there.
+    fn make_room(&mut self, more: usize) {
+        let count = self.count + more;
+        if self.places.is_empty() {
+            self.places.resize(PLACES, Place::default());
+        }
+        if self.edges.len() < count {
+            self.edges.resize(count, true);
+            self.vertices.head.resize(count, Vertex::default());
+        }
+        let slots = count * self.vertices.stride;
         if self.vertices.slots.len() < slots {
             self.vertices.slots.resize(slots, 0.0);
         }
     }
 
-    /// Gives the vertex of each lane of a batch its values.
-    pub fn fill(&mut self, b: &VertexBatch, ids: impl Iterator<Item = u32>) {
+    /// Gives the vertex of each lane of a batch its position and its values.
+    pub fn fill(&mut self, b: &VertexBatch, ids: impl Iterator<Item = u32> + Clone) {
+        for (i, id) in (0..LANES).zip(ids.clone()) {
+            let Some(head) = self.vertices.head.get_mut(id as usize) else { return };
+            *head = Vertex {
+                clip: [b.clip[0][i], b.clip[1][i], b.clip[2][i], b.clip[3][i]],
+                window: [b.window[0][i], b.window[1][i], b.window[2][i]],
+                snapped: b.place[i].snapped(),
+                outcode: b.place[i].outcode(),
+                edge: b.edge[i],
+                point_size: b.point_size[i],
+            };
+        }
         let stride = self.vertices.stride.min(b.out.len());
         let (quads, rest) = b.out[..stride].as_chunks::<4>();
         for (i, id) in (0..LANES).zip(ids) {
@@ -157,9 +190,13 @@ impl Pool {
         const MOST: usize = 4;
         let mut heads = [Vertex::default(); MOST];
         let mut user = [[0.0; MAX_CLIP_PLANES]; MOST];
+        let mut places = [(Place::default(), true); MOST];
         self.kept.clear();
         let mut count = 0;
-        for (id, (head, distances)) in ids.iter_mut().zip(heads.iter_mut().zip(user.iter_mut())) {
+        for ((id, place), (head, distances)) in
+            ids.iter_mut().zip(&mut places).zip(heads.iter_mut().zip(user.iter_mut()))
+        {
+            *place = (self.place(*id), self.edge(*id));
             if let Some(v) = self.get(*id) {
                 *head = *v.head;
             }
@@ -172,12 +209,16 @@ impl Pool {
             *id = count as u32;
             count += 1;
         }
-        self.vertices.head.clear();
-        self.vertices.head.extend_from_slice(&heads[..count]);
-        self.places.clear();
-        self.places.extend(heads[..count].iter().map(|v| Place { snapped: v.snapped, outcode: v.outcode }));
         // One vertex may be kept twice.
-        self.make_slots();
+        self.count = 0;
+        self.make_room(count);
+        self.count = count;
+        for (to, from) in self.vertices.head.iter_mut().zip(&heads[..count]) {
+            *to = *from;
+        }
+        for ((place, edge), from) in self.places.iter_mut().zip(&mut self.edges).zip(&places[..count]) {
+            (*place, *edge) = *from;
+        }
         for (to, from) in self.vertices.slots.iter_mut().zip(&self.kept) {
             *to = *from;
         }

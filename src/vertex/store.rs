@@ -2,9 +2,9 @@
 //! collected in a store, so that several threads can share it, and a display list keeps one for each of its primitives.
 //! To fill a batch is to copy arrays.
 
-use super::Source;
 use super::batch::{Lanes, VertexBatch, needs};
 use super::lane::Order;
+use super::{Keys, Source};
 use crate::batch::LANES;
 
 /// Numbers of a position.
@@ -120,19 +120,22 @@ impl Store {
     }
 
     /// Copies some numbers of some vertices: those of one block at once, where they are all of it.
-    fn copy<'a>(&self, keys: &[u32], skip: usize, to: impl Iterator<Item = &'a mut Lanes>) {
-        let Some(first) = keys.first() else { return };
-        let whole = (first % LANES as u32 == 0).then(|| self.block(*first as usize / LANES)).flatten();
+    fn copy<'a>(&self, keys: &Keys<'_>, skip: usize, to: impl Iterator<Item = &'a mut Lanes>) {
+        let whole = match keys {
+            Keys::Range(range) if range.start % LANES as u32 == 0 => self.block(range.start as usize / LANES),
+            _ => None,
+        };
         match whole {
-            Some(block) if consecutive(keys) => {
+            Some(block) => {
                 for (to, from) in to.zip(block.iter().skip(skip)) {
                     *to = *from;
                 }
             }
-            _ => {
+            None => {
                 let mut at = [0; LANES];
-                for (at, key) in at.iter_mut().zip(keys) {
-                    *at = (*key as usize / LANES * self.per_block + skip) * LANES + *key as usize % LANES;
+                for (i, at) in at.iter_mut().enumerate() {
+                    let key = keys.get(i).unwrap_or(0) as usize;
+                    *at = (key / LANES * self.per_block + skip) * LANES + key % LANES;
                 }
                 let numbers = self.lanes.as_flattened();
                 for (k, to) in to.enumerate() {
@@ -145,19 +148,14 @@ impl Store {
     }
 }
 
-/// Whether each number is one more than that before it.
-fn consecutive(keys: &[u32]) -> bool {
-    keys.windows(2).all(|pair| matches!(pair, [a, b] if a.wrapping_add(1) == *b))
-}
-
 impl Source for Store {
-    fn places(&self, keys: &[u32], batch: &mut VertexBatch) {
+    fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         batch.n = keys.len().min(LANES);
         batch.w_is_one = self.w_is_one;
         self.copy(keys, 0, batch.position.iter_mut());
     }
 
-    fn values(&self, keys: &[u32], batch: &mut VertexBatch) {
+    fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         self.copy(keys, POSITION, attributes(batch, self.kept));
     }
 }

@@ -7,7 +7,7 @@ use super::plan::VertFn;
 use super::uniforms::{Columns, VertexUniforms, ViewportNumbers};
 use crate::batch::{LANES, stage};
 use crate::num;
-use crate::raster::vertex::outcode;
+use crate::raster::vertex::{Place, outcode};
 
 /// Windows positions with a greater absolute coordinate are outside the guard band.
 pub const GUARD_BAND: f64 = 32767.0;
@@ -84,20 +84,18 @@ stage! {
     pub fn WINDOW: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
         let n = b.span.min(LANES);
         let v = u.viewport;
-        let VertexBatch { clip: [cx, cy, cz, cw], window: [wx, wy, wz], snapped: [sx, sy], outcode: codes, .. } = b;
+        let VertexBatch { clip: [cx, cy, cz, cw], window: [wx, wy, wz], place, .. } = b;
         for i in 0..n {
             let (x, y, z, w) = (cx[i], cy[i], cz[i], cw[i]);
-            let ([a, b, c], [p, q]) = to_window(&v, [x, y, z, w]);
+            let ([a, b, c], snapped) = to_window(&v, [x, y, z, w]);
             wx[i] = a;
             wy[i] = b;
             wz[i] = c;
-            sx[i] = p;
-            sy[i] = q;
             let bit = |on: bool, bit: u32| if on { bit } else { 0 };
             let inside = (a.abs() <= GUARD_BAND) & (b.abs() <= GUARD_BAND);
             let positive = w > 0.0;
             let finite = x * 0.0 + y * 0.0 + z * 0.0 + w * 0.0 == 0.0;
-            codes[i] = bit(x < -w, outcode::LEFT)
+            let code = bit(x < -w, outcode::LEFT)
                 | bit(x > w, outcode::RIGHT)
                 | bit(y < -w, outcode::BOTTOM)
                 | bit(y > w, outcode::TOP)
@@ -106,19 +104,20 @@ stage! {
                 | bit(!inside, outcode::GUARD)
                 | bit(!positive, outcode::BEHIND)
                 | bit(!finite, outcode::NAN);
+            place[i] = Place::new(snapped, code);
         }
     }
 
     /// Distance to a user clip plane (section 2.12) and its outcode bit.
     pub fn USER_PLANE: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, arg: u32) {
         let n = b.span.min(LANES);
-        let VertexBatch { eye: [ex, ey, ez, ew], user, outcode, .. } = b;
+        let VertexBatch { eye: [ex, ey, ez, ew], user, place, .. } = b;
         let k = arg as usize;
         let (Some(plane), Some(bit), Some(user)) = (u.user.get(k), u.user_bit.get(k), user.get_mut(k)) else { return };
         for i in 0..n {
             let d = plane[0] * ex[i] + plane[1] * ey[i] + plane[2] * ez[i] + plane[3] * ew[i];
             user[i] = d;
-            outcode[i] |= if d < 0.0 { *bit } else { 0 };
+            place[i].0 |= if d < 0.0 { u64::from(*bit) } else { 0 };
         }
     }
 

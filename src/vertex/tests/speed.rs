@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::enums::*;
-use crate::vertex::Source;
 use crate::vertex::batch::VertexBatch;
 use crate::vertex::lane::{Order, SourceDraw};
+use crate::vertex::{Keys, Source};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -26,10 +26,10 @@ impl Assembled for Count {
 struct Full;
 
 impl Source for Full {
-    fn places(&self, keys: &[u32], batch: &mut VertexBatch) {
+    fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         batch.n = keys.len();
     }
-    fn values(&self, _: &[u32], _: &mut VertexBatch) {}
+    fn values(&self, _: &Keys<'_>, _: &mut VertexBatch) {}
 }
 
 fn measure(name: &str, state: &State, layout: &Layout) {

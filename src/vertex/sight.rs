@@ -1,0 +1,86 @@
+//! Which triangles can be seen (OpenGL 1.5, sections 2.12 and 2.13.1): outcodes and facing of 64 triangles at once, by the
+//! places of their corners alone.
+
+use super::batch::VertexBatch;
+use super::plan::VertFn;
+use super::uniforms::VertexUniforms;
+use crate::batch::{LANES, stage};
+use crate::raster::vertex::{Place, outcode};
+
+/// In the stage's argument, beside the outcode bits that make a triangle go through the clipper: triangles whose area in the
+/// window is positive, or is not, are culled.
+pub const CULLS: [u32; 2] = [1 << 16, 1 << 17];
+
+/// Triangles of placed vertices, and what becomes of them.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct Triangles {
+    /// Where the corners are.
+    pub corners: [[Place; LANES]; 3],
+    /// One of the bits below for each triangle.
+    fate: [u64; LANES],
+    /// How many there are.
+    pub n: usize,
+    /// A bit for each triangle that can be seen.
+    pub seen: u64,
+    /// Those of them that must be clipped.
+    pub clipped: u64,
+    /// Those that are outside of the view volume.
+    pub outside: u64,
+    /// Those that are inside, and culled.
+    pub culled: u64,
+}
+
+impl Default for Triangles {
+    fn default() -> Self {
+        let corners = [[Place(0); LANES]; 3];
+        Self { corners, fate: [0; LANES], n: 0, seen: 0, clipped: 0, outside: 0, culled: 0 }
+    }
+}
+
+const SEEN: u64 = 1;
+const CLIPPED: u64 = 2;
+const OUTSIDE: u64 = 4;
+const CULLED: u64 = 8;
+
+/// Whether all corners are outside of one plane, or one is nowhere.
+#[inline(always)]
+pub fn nowhere(all: u64, any: u64) -> bool {
+    const ANY: u64 = outcode::NAN as u64;
+    const ALL: u64 = (outcode::FRUSTUM | outcode::USER_ALL) as u64;
+    (all & ALL != 0) | (any & ANY != 0)
+}
+
+/// A bit for each lane that has one of some bits.
+#[inline(always)]
+fn lanes_with(fate: &[u64; LANES], bit: u64) -> u64 {
+    let mut bits = 0;
+    for i in 0..LANES {
+        bits |= u64::from(fate[i] & bit != 0) << i;
+    }
+    bits
+}
+
+stage! {
+    /// What becomes of triangles.
+    pub fn SIGHT: VertFn = (b: &mut VertexBatch, _u: &VertexUniforms, arg: u32) {
+        let Triangles { corners: [a, b, c], fate, n, seen, clipped, outside, culled } = &mut b.triangles;
+        let clip_mask = u64::from(arg & 0xFFFF);
+        let [positive, other] = CULLS.map(|bit| if arg & bit != 0 { CULLED } else { SEEN });
+        for i in 0..n.next_multiple_of(16).min(LANES) {
+            let any = a[i].0 | b[i].0 | c[i].0;
+            let [p, q, r] = [a[i].snapped(), b[i].snapped(), c[i].snapped()];
+            // Exact: products of numbers of 25 bits.
+            let side = |v: [i32; 2], k: usize| f64::from(v[k] - p[k]);
+            let area = side(q, 0) * side(r, 1) - side(r, 0) * side(q, 1);
+            let facing = if area > 0.0 { positive } else { other };
+            let inside = if any & clip_mask != 0 { SEEN | CLIPPED } else { facing };
+            fate[i] = if nowhere(a[i].0 & b[i].0 & c[i].0, any) { OUTSIDE } else { inside };
+        }
+        let there = if *n < LANES { (1 << *n) - 1 } else { u64::MAX };
+        *seen = lanes_with(fate, SEEN) & there;
+        *clipped = lanes_with(fate, CLIPPED) & there;
+        *outside = lanes_with(fate, OUTSIDE) & there;
+        *culled = lanes_with(fate, CULLED) & there;
+    }
+}
