@@ -192,18 +192,20 @@ impl<'a> ClientImage<'a> {
         }
     }
 
-    /// Whether all texels of a row that was [read](Self::colors_rgba8) just now have an alpha of 255. Where they are the
-    /// client's bytes, those are looked at: they are in the cache, where the row need not be.
+    /// [`ClientImage::colors_rgba8`], and the bits that are set in all of them.
     #[must_use]
-    pub fn is_opaque_rgba8(&self, at: [usize; 3], transfer: Transfer<'_>, row: &[u32]) -> bool {
+    pub fn common_rgba8(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) -> u32 {
         let same = (self.pixel.type_, self.pixel.format) == (Type::UnsignedByte, Format::Rgba);
-        let common = if same && transfer.keeps_colors() {
-            let Some(texels) = self.groups(at).as_chunks::<4>().0.get(..row.len()) else { return false };
-            common_bits(texels)
-        } else {
-            row.iter().fold(u32::MAX, |all, texel| all & texel)
-        };
-        common >= 0xFF00_0000
+        if same && transfer.keeps_colors() {
+            let mut common = u32::MAX;
+            #[expect(unsafe_code, reason = "the level is the one that the processor has")]
+            unsafe {
+                (COPY.levels[Level::detect() as usize])(self.groups(at), out, &mut common);
+            }
+            return common;
+        }
+        self.colors_rgba8(at, transfer, out);
+        out.iter().fold(u32::MAX, |common, texel| common & texel)
     }
 
     /// The short way for components of 8 bits: bytes are moved, never computed with. False if the type is another.
@@ -252,23 +254,16 @@ fn gray(l: u8) -> u32 {
     u32::from(l) * 0x01_0101
 }
 
-type BitsFn = unsafe fn(&[[u8; 4]], &mut u32);
+type CopyFn = unsafe fn(&[u8], &mut [u32], &mut u32);
 
 stage! {
-    /// Clears the bits of a word that are not set in all texels.
-    fn COMMON_BITS: BitsFn = (texels: &[[u8; 4]], common: &mut u32) {
-        *common = texels.iter().fold(*common, |common, texel| common & u32::from_le_bytes(*texel));
+    /// Copies texels and clears the bits of a word that are not set in all of them, at the memory's speed.
+    fn COPY: CopyFn = (from: &[u8], to: &mut [u32], common: &mut u32) {
+        *common = to.iter_mut().zip(from.as_chunks::<4>().0).fold(*common, |common, (to, from)| {
+            *to = u32::from_le_bytes(*from);
+            common & *to
+        });
     }
-}
-
-/// The bits that are set in all texels. The copy of a large image is at the memory's speed, and so must this be.
-fn common_bits(texels: &[[u8; 4]]) -> u32 {
-    let mut common = u32::MAX;
-    #[expect(unsafe_code, reason = "the level is the one that the processor has")]
-    unsafe {
-        (COMMON_BITS.levels[Level::detect() as usize])(texels, &mut common);
-    }
-    common
 }
 
 fn each<const N: usize>(groups: &[u8], out: &mut [u32], convert: impl Fn([u8; N]) -> u32) {

@@ -11,6 +11,8 @@ use crate::pixels::{ClientImage, Kind, PixelFormat, Transfer};
 
 /// How many texels are converted at a time.
 const CHUNK: usize = 64;
+/// The least texel whose alpha is 255.
+const OPAQUE: u32 = 0xFF00_0000;
 
 /// INVALID_OPERATION unless pixels of this format can become texels of this format: depths go to depth textures and
 /// nothing else does.
@@ -97,9 +99,13 @@ impl Image {
                 match &mut self.texels {
                     Texels::Rgba8(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
-                        pixels.colors_rgba8([0, y, z], transfer, row);
-                        expand_rgba8(base, row);
-                        opaque = opaque && is_opaque(pixels, [0, y, z], transfer, base, row);
+                        if opaque && base == BaseFormat::Rgba {
+                            opaque = pixels.common_rgba8([0, y, z], transfer, row) >= OPAQUE;
+                        } else {
+                            pixels.colors_rgba8([0, y, z], transfer, row);
+                            expand_rgba8(base, row);
+                            opaque = opaque && row.iter().all(|texel| *texel >= OPAQUE);
+                        }
                     }
                     Texels::Float(texels) => {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
@@ -192,14 +198,6 @@ impl Image {
         let len = usize::try_from(end - start).ok().filter(|&len| len > 0)?;
         let cut = usize::try_from(start - i64::from(x)).ok()?;
         Some((self.index(i32::try_from(start).ok()?, y, z), cut, len))
-    }
-}
-
-/// Whether alpha is 255 in a row of texels of a base format that came from client pixels.
-fn is_opaque(pixels: &ClientImage<'_>, at: [usize; 3], transfer: Transfer<'_>, base: BaseFormat, row: &[u32]) -> bool {
-    match base {
-        BaseFormat::Rgba => pixels.is_opaque_rgba8(at, transfer, row),
-        _ => row.iter().all(|texel| *texel >= 0xFF00_0000),
     }
 }
 
