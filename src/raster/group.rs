@@ -13,7 +13,7 @@ use super::masks::Ints;
 use super::rows::{Ends, ROWS, Rows};
 use super::setup::{Triangle, clip_mask};
 use super::state::{Mode, Rect};
-use super::vertex::{Vertex, twice_area};
+use super::vertex::{Vertex, Vertices, twice_area};
 use crate::fragment::planes::{GROUP, Linear, Planes};
 
 /// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.
@@ -25,7 +25,7 @@ pub(super) const MOST_SLOTS: usize = 40;
 pub(super) struct Group {
     /// Slots of each corner.
     pub quads: [[[[f32; 4]; GROUP]; 3]; MOST_SLOTS / 4],
-    /// Window x, y, z and w of each corner.
+    /// w, window x, y and z of each corner, in the order of a vertex.
     pub place: [[[f64; 4]; GROUP]; 3],
     /// Snapped x and y of each corner.
     pub snapped: [[Ints; 2]; 3],
@@ -112,6 +112,32 @@ impl Group {
         true
     }
 
+    /// Puts triangles in place, as many as there is room for.
+    #[inline]
+    fn put(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], count: usize) {
+        let lanes = self.count..GROUP;
+        for corner in 0..3 {
+            let (place, [xs, ys]) = (&mut self.place[corner], &mut self.snapped[corner]);
+            for (ids, lane) in triangles.iter().zip(lanes.clone()) {
+                let Some(v) = vertices.head.get(ids[corner] as usize) else { continue };
+                let [x, y, z] = v.window;
+                place[lane] = [v.clip[3], x, y, z];
+                [xs[lane], ys[lane]] = v.snapped;
+            }
+            for (k, quad) in self.quads.iter_mut().enumerate().take(count.div_ceil(4)) {
+                // The last quad may have slots of the one before it, or more than the vertex has, which nobody reads.
+                let from = (4 * k).min(count.max(4) - 4);
+                for (ids, lane) in triangles.iter().zip(lanes.clone()) {
+                    let at = ids[corner] as usize * vertices.stride + from;
+                    if let Some(four) = vertices.slots.get(at..).and_then(<[f32]>::first_chunk) {
+                        quad[corner][lane] = *four;
+                    }
+                }
+            }
+        }
+        self.count = (self.count + triangles.len()).min(GROUP);
+    }
+
     /// Puts colours in place that are not simply those of the corners: flat shading, back faces.
     fn put_colors(&mut self, cx: &Context, t: &Triangle, back: bool) {
         let lane = self.count % GROUP;
@@ -145,7 +171,7 @@ impl Group {
 
     /// The vertex at a corner, as far as planes depend on it.
     fn vertex(&self, lane: usize, corner: usize) -> Vertex {
-        let [x, y, z, w] = self.place[corner][lane];
+        let [w, x, y, z] = self.place[corner][lane];
         let snapped = [0, 1].map(|k: usize| self.snapped[corner][k][lane]);
         Vertex { clip: [0.0, 0.0, 0.0, w], window: [x, y, z], snapped, ..Vertex::default() }
     }
@@ -167,7 +193,7 @@ impl Geometry {
         }
         for (corner, v) in t.v.iter().enumerate() {
             let [x, y, z] = v.head.window;
-            group.place[corner][lane] = [x, y, z, v.head.clip[3]];
+            group.place[corner][lane] = [v.head.clip[3], x, y, z];
             for k in 0..2 {
                 group.snapped[corner][k][lane] = v.head.snapped[k];
             }
@@ -177,6 +203,26 @@ impl Geometry {
             self.file_group(cx);
         }
         true
+    }
+
+    /// Whether triangles may wait [many at a time](Self::wait_all): where each corner has its own colours.
+    pub(super) fn takes_many(cx: &Context, vertices: &Vertices) -> bool {
+        let layout = cx.recipe.layout();
+        cx.recipe.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= vertices.stride
+    }
+
+    /// Lets filled triangles wait, whose corners are some of many vertices.
+    pub(super) fn wait_all(&mut self, cx: &Context, vertices: &Vertices, triangles: &[[u32; 3]]) {
+        let mut rest = triangles;
+        while !rest.is_empty() {
+            let free = GROUP - self.group.count % GROUP;
+            let (now, later) = rest.split_at(free.min(rest.len()));
+            self.group.put(vertices, now, cx.recipe.layout().count);
+            rest = later;
+            if self.group.count == GROUP {
+                self.file_group(cx);
+            }
+        }
     }
 
     /// Files the triangles that wait.
@@ -284,7 +330,7 @@ mod tests {
     use crate::enums::*;
     use crate::fragment::planes::{Layout, UnitSlots};
     use crate::raster::testing::{Board, Random, vertex};
-    use crate::raster::vertex::Vertex;
+    use crate::raster::vertex::{Vertex, Vertices};
     use crate::state::State;
 
     /// Colours, fog, a unit of two coordinates and a cube map; or only the first of that.
@@ -337,7 +383,13 @@ mod tests {
                 state.scissor.enabled = round & 32 != 0;
                 (state.scissor.x, state.scissor.y, state.scissor.width, state.scissor.height) = (9, 5, 41, 43);
             };
-            let draw = |level: Option<Level>| {
+            let list = Vertices {
+                head: triangles.iter().flat_map(|(v, _)| *v).collect(),
+                slots: triangles.iter().flat_map(|(_, s)| s.concat()).chain([f32::NAN; 4]).collect(),
+                stride: layout.stride,
+            };
+            let ids: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+            let draw = |level: Option<Level>, many: bool| {
                 let mut board = Board::with_layout(64, layout.clone(), 1, 64, change);
                 if let Some(level) = level {
                     board.scene = crate::raster::Scene::new(1, 64).at_level(level);
@@ -345,8 +397,11 @@ mod tests {
                 } else {
                     board.scene.group_nothing();
                 }
-                for (v, slots) in &triangles {
-                    board.triangle(v, slots);
+                let builder = board.scene.builder().filter(|builder| many && builder.takes_many(&list));
+                if let Some(mut builder) = builder {
+                    ids.chunks(11).for_each(|ids| builder.triangles(&list, ids));
+                } else {
+                    triangles.iter().for_each(|(v, slots)| board.triangle(v, slots));
                 }
                 let seen = board.seen();
                 let bits = |s: &crate::raster::testing::Seen| {
@@ -355,9 +410,10 @@ mod tests {
                 };
                 seen.iter().map(bits).collect::<Vec<_>>()
             };
-            let single = draw(None);
+            let single = draw(None, false);
             for level in Level::available() {
-                assert!(draw(Some(level)) == single, "round {round}, {level:?}");
+                assert!(draw(Some(level), false) == single, "round {round}, {level:?}");
+                assert!(draw(Some(level), true) == single, "round {round}, {level:?}, many at a time");
             }
             fragments += single.len();
         }

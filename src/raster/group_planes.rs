@@ -95,7 +95,12 @@ pub(super) const ALONE: i32 = 3;
 /// The largest bounding box of a member: its runs of pixels are too short to be worth more than lanes of a batch.
 const MOST: i32 = ROWS as i32;
 
-/// Window x, y, z and w of each corner.
+/// Where w, window x (then y) and z stand in a corner's numbers: as in a vertex.
+const W: usize = 0;
+const X: usize = 1;
+const Z: usize = 3;
+
+/// The numbers of each corner.
 type Places = [[Floats; 4]; 3];
 
 /// Corner by corner and triangle by triangle into lanes. All four are moved at once: a loop over some of them would be
@@ -186,7 +191,7 @@ fn origins(group: &mut Group, place: &Places) {
     }
     let mut any = false;
     let varies = |i: usize| {
-        let [a, b, c] = [place[0][3][i], place[1][3][i], place[2][3][i]];
+        let [a, b, c] = [place[0][W][i], place[1][W][i], place[2][W][i]];
         let most = if b > a { b } else { a };
         let most = if c > most { c } else { most };
         (most, (most > 2.0 * a) | (most > 2.0 * b) | (most > 2.0 * c))
@@ -197,7 +202,7 @@ fn origins(group: &mut Group, place: &Places) {
     // Few small triangles have the far end for their origin.
     for i in (0..GROUP).filter(|_| any) {
         let (most, varies) = varies(i);
-        let far = (0..3).find(|c| place[*c][3][i] == most).unwrap_or(0);
+        let far = (0..3).find(|c| place[*c][W][i] == most).unwrap_or(0);
         for k in 0..2 {
             origin[k][i] = if varies { p[far][k][i] >> 8 } else { origin[k][i] };
         }
@@ -210,7 +215,7 @@ fn depths(group: &mut Group, place: &Places, view: &View, odd: &mut Floats) {
     let Group { snapped: p, origin, area, z, .. } = group;
     for i in 0..GROUP {
         let det = f64::from(area[i]) * (1.0 / 65536.0);
-        let [z0, z1, z2] = [place[0][2][i], place[1][2][i], place[2][2][i]].map(|z| z * view.scale);
+        let [z0, z1, z2] = [place[0][Z][i], place[1][Z][i], place[2][Z][i]].map(|z| z * view.scale);
         let edge = |c: usize, k: usize| f64::from(p[c][k][i] - p[0][k][i]) * (1.0 / 256.0);
         let (dz1, dz2, inv) = (z1 - z0, z2 - z0, 1.0 / det);
         let x = (dz1 * edge(2, 1) - dz2 * edge(1, 1)) * inv;
@@ -237,7 +242,7 @@ fn bases(group: &mut Group, place: &Places, odd: &mut Floats) {
     for i in 0..GROUP {
         let snapped_det = f64::from(area[i]) * (1.0 / 65536.0);
         let from = [0, 1].map(|k: usize| f64::from(origin[k][i]) + 0.5);
-        let exact = |c: usize, k: usize| place[c][k][i] - from[k];
+        let exact = |c: usize, k: usize| place[c][X + k][i] - from[k];
         let grid = |c: usize, k: usize| f64::from(p[c][k][i] - (origin[k][i] << 8) - 128) * (1.0 / 256.0);
         let det = (exact(1, 0) - exact(0, 0)) * (exact(2, 1) - exact(0, 1))
             - (exact(2, 0) - exact(0, 0)) * (exact(1, 1) - exact(0, 1));
@@ -257,7 +262,7 @@ fn bases(group: &mut Group, place: &Places, odd: &mut Floats) {
     }
     let mut most = false;
     for i in 0..GROUP {
-        let w = [place[0][3][i], place[1][3][i], place[2][3][i]];
+        let w = [place[0][W][i], place[1][W][i], place[2][W][i]];
         let same = (w[0] == w[1]) & (w[1] == w[2]);
         let usual = (range(w).0 > 0.0) & (w[0] + w[1] + w[2] < f64::INFINITY);
         affine[i] = same | !usual;
@@ -275,7 +280,7 @@ fn bases(group: &mut Group, place: &Places, odd: &mut Floats) {
 fn denominators(place: &Places, affine: &[bool; GROUP], bases: &mut Bases, odd: &mut Floats) {
     let Bases { d, b: [b1, b2], far, scale, reach, denominator } = bases;
     for i in 0..GROUP {
-        let w = [place[0][3][i], place[1][3][i], place[2][3][i]];
+        let w = [place[0][W][i], place[1][W][i], place[2][W][i]];
         let least = range(w).0;
         let one = affine[i];
         let r = [least / w[0], least / w[1], least / w[2]];

@@ -12,6 +12,7 @@ use super::rounds::{Part, Pieces, Round};
 use super::setup::Triangle;
 use super::shader::Shader;
 use super::state::Mode;
+use super::vertex::Vertices;
 use super::walker::{Empties, Kit, Load, Manner, SetUp, Walker};
 use super::{RasterState, VertexRef};
 use crate::batch::{LANES, Level};
@@ -104,6 +105,17 @@ impl<'a, P> Builder<'a, P> {
             _ => c.slots,
         };
         self.geometry.triangle(&self.cx, &Triangle { v: [a, b, c], provoking, edges }, self.stipple);
+    }
+
+    /// Whether [`Self::triangles`] may be called.
+    #[must_use]
+    pub fn takes_many(&self, vertices: &Vertices) -> bool {
+        Geometry::takes_many(&self.cx, vertices)
+    }
+
+    /// Draws triangles whose corners are some of many vertices; none must need clipping.
+    pub fn triangles(&mut self, vertices: &Vertices, triangles: &[[u32; 3]]) {
+        self.geometry.wait_all(&self.cx, vertices, triangles);
     }
 
     /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a

@@ -1,8 +1,9 @@
 //! A vertex as the vertex stages hand it to clipping and setup (OpenGL 1.5, section 2.11 end): clip coordinates, the
 //! window position where it has one, an outcode, and the slots of the [`Layout`](crate::fragment::planes::Layout).
 
-/// Position part of a processed vertex.
+/// Position part of a processed vertex. w stands beside the window position: both are copied at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct Vertex {
     /// Clip coordinates.
     pub clip: [f64; 4],
@@ -83,7 +84,7 @@ pub mod outcode {
 pub struct Vertices {
     /// Position parts.
     pub head: Vec<Vertex>,
-    /// Slots, vertex by vertex.
+    /// Slots, vertex by vertex, and at least four more.
     pub slots: Vec<f32>,
     /// Floats of one vertex.
     pub stride: usize,

@@ -67,6 +67,13 @@ impl Primitive {
         self.clip
     }
 
+    /// Whether it is a triangle that need not be clipped.
+    #[inline]
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        matches!(self.kind, Kind::Triangle { .. }) && !self.clip
+    }
+
     /// Hands the primitive on.
     #[inline]
     pub fn hand_on<S: Assembled>(&self, plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper, sink: &mut S) {

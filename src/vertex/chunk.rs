@@ -10,7 +10,7 @@ use super::cache::Elements;
 use super::clip::Clipper;
 use super::counts::Counts;
 use super::plan::{VertFn, VertexPlan};
-use super::pool::Pool;
+use super::pool::{PLACES, Pool};
 use super::{Assembled, Keys, Source};
 use crate::batch::{LANES, Step};
 use crate::enums::GLenum;
@@ -138,16 +138,16 @@ impl Chunk {
     /// since their batches are others than those that they were placed in. `keys` are their places in the source.
     fn value_used<S: Source>(&mut self, plan: &VertexPlan, source: &S, first: u32, keys: &Keys<'_>) {
         self.used.clear();
-        self.used.resize(keys.len(), false);
-        let seen = self.seen.iter().flat_map(Primitive::ids).chain(self.assembler.held().iter().copied());
-        for id in seen {
-            if let Some(used) = self.used.get_mut(id.wrapping_sub(first) as usize) {
-                *used = true;
-            }
+        self.used.resize(PLACES, false);
+        if let Some(used) = self.used.first_chunk_mut::<PLACES>() {
+            // What was held before comes out far behind the others.
+            let mut mark = |id: u32| used[id.wrapping_sub(first) as usize % PLACES] = true;
+            self.seen.iter().for_each(|primitive| primitive.ids().into_iter().for_each(&mut mark));
+            self.assembler.held().iter().for_each(|id| mark(*id));
         }
         let (mut at, mut of, mut n) = ([0; LANES], [0; LANES], 0);
         let last = keys.len().saturating_sub(1);
-        for (i, used) in self.used.iter().enumerate() {
+        for (i, used) in self.used.iter().enumerate().take(keys.len()) {
             if *used {
                 (at[n], of[n]) = (i as u32, keys.get(i).unwrap_or(0));
                 n += 1;

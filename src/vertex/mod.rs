@@ -28,6 +28,7 @@ pub mod transform;
 pub mod uniforms;
 pub mod weld;
 
+use crate::fragment::planes::GROUP;
 pub use crate::raster::VertexRef;
 use crate::raster::{Builder, Scene, Shader};
 use assemble::Primitive;
@@ -105,6 +106,26 @@ impl<P: Shader> Assembled for Builder<'_, P> {
 
     fn culls(&self) -> [bool; 2] {
         self.draw().culls()
+    }
+
+    /// Triangles that need no more than their vertices go a group at a time.
+    fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper) {
+        let many = self.takes_many(&pool.vertices);
+        let mut rest = primitives;
+        while let Some((first, others)) = rest.split_first() {
+            if !(many && first.is_plain()) {
+                first.hand_on(plan, pool, clipper, self);
+                rest = others;
+                continue;
+            }
+            let (mut ids, mut n) = ([[0; 3]; GROUP], 0);
+            for (ids, primitive) in ids.iter_mut().zip(rest).take_while(|(_, primitive)| primitive.is_plain()) {
+                *ids = primitive.ids();
+                n += 1;
+            }
+            self.triangles(&pool.vertices, &ids[..n]);
+            rest = &rest[n..];
+        }
     }
 }
 

@@ -123,7 +123,8 @@ impl Pool {
             self.edges.resize(count, true);
             self.vertices.head.resize(count, Vertex::default());
         }
-        let slots = count * self.vertices.stride;
+        // Setup copies four slots at a time.
+        let slots = count * self.vertices.stride + 4;
         if self.vertices.slots.len() < slots {
             self.vertices.slots.resize(slots, 0.0);
         }
