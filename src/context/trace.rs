@@ -148,7 +148,7 @@ impl Context {
         let Some(callback) = &mut self.trace else { return };
         if let Some(program) = self.engine.program.as_ref().filter(|p| self.traced.as_ptr() != Arc::as_ptr(p)) {
             self.traced = Arc::downgrade(program);
-            let args = in_one_line(&program.decisions);
+            let args = in_one_line(&self.engine.decisions());
             callback(&Call { name: "plan", args, file: place.file(), line: place.line() });
         }
         let mut text = String::new();

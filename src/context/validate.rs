@@ -6,7 +6,7 @@ use super::begin_end::LONG;
 use super::engine::Engine;
 use crate::batch::{Counters, Tally};
 use crate::enums::{GL_FILL, name};
-use crate::fragment::program::{Options, Program};
+use crate::fragment::program::{Decision, Options, Program};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::raster::{Draw, RasterState};
 use crate::state::Dirty;
@@ -30,7 +30,7 @@ impl Engine {
         }
         self.run_vertices();
         if self.dirty.fragment || self.program.is_none() {
-            self.program = Some(Arc::new(self.build_program()));
+            self.program = Some(Arc::new(self.build_program(true)));
         }
         let Some(program) = self.program.clone() else { return };
         let format = self.framebuffer.format();
@@ -44,7 +44,12 @@ impl Engine {
         self.drawing = true;
     }
 
-    fn build_program(&mut self) -> Program {
+    /// What is decided about each stage of the present state's program, in words. The programs that draw know none.
+    pub(crate) fn decisions(&mut self) -> Vec<Decision> {
+        self.build_program(false).decisions
+    }
+
+    fn build_program(&mut self, silent: bool) -> Program {
         let chosen: [Option<(Target, u32)>; MAX_TEXTURE_UNITS] = std::array::from_fn(|unit| {
             let unit = &self.state.texture.units[unit];
             effective_target(unit.enabled).map(|target| (target, unit.bound[target as usize]))
@@ -61,6 +66,7 @@ impl Engine {
             coverage: s.point.smooth || s.line.smooth || s.polygon.smooth,
             count_samples: self.queries.is_counting(),
             q_units: self.q_units,
+            silent,
         };
         let program = Program::build(self.config.level, s, textures, self.framebuffer.format(), options);
         match &self.tally {

@@ -10,6 +10,8 @@ pub use core_more_names::*;
 pub use core_names::*;
 pub use extension_names::*;
 
+use std::fmt;
+
 /// An enumerated value.
 pub type GLenum = u32;
 /// A set of bits.
@@ -60,9 +62,19 @@ use enumerants;
 /// Values below 0x100 stand for several things (0 is `GL_ZERO`, `GL_POINTS`, `GL_NO_ERROR`), so they stay numbers.
 #[must_use]
 pub fn name(value: GLenum) -> String {
-    match all().find(|row| row.0 == value) {
-        Some(row) if value >= 0x100 => row.1.to_string(),
-        _ => format!("0x{value:04X}"),
+    Named(value).to_string()
+}
+
+/// Shows itself as [`name`] spells it; the name is not looked for before somebody wants to see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Named(pub GLenum);
+
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match all().find(|row| row.0 == self.0) {
+            Some(row) if self.0 >= 0x100 => f.write_str(row.1),
+            _ => write!(f, "0x{:04X}", self.0),
+        }
     }
 }
 

@@ -25,11 +25,13 @@ pub struct Options {
     /// Bit u: vertices may give unit u a q that is not 1. A q from texture generation or the texture matrix is found in
     /// the state.
     pub q_units: u32,
+    /// Note no decisions, which takes longer than all the rest of building a program.
+    pub silent: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { general: false, coverage: false, count_samples: false, q_units: u32::MAX }
+        Self { general: false, coverage: false, count_samples: false, q_units: u32::MAX, silent: false }
     }
 }
 
@@ -89,7 +91,7 @@ pub struct Program {
     pub draws_nothing: bool,
     /// Whether the rasteriser has to write [`FragmentBatch::coverage`].
     pub coverage: bool,
-    /// What was decided about each stage, in the order of the specification.
+    /// What was decided about each stage, in the order of the specification; nothing where [`Options::silent`] is set.
     pub decisions: Vec<Decision>,
     pub(super) uniforms: FragUniforms,
     pub(super) actions: Vec<Action>,

@@ -68,10 +68,11 @@ impl Context {
     /// vertices get that are given now. Nothing is drawn, no error is recorded.
     pub fn explain(&mut self) -> Explanation {
         self.engine.validate();
+        let fragments = self.engine.decisions();
         let engine = &self.engine;
         let Some(program) = &engine.program else { return Explanation::default() };
         let mut decisions = vertices::decisions(&engine.state, &engine.pipe.plan);
-        decisions.extend(program.decisions.iter().cloned());
+        decisions.extend(fragments);
         Explanation {
             decisions,
             vertex_stages: engine.pipe.plan.plan.steps.iter().map(|step| step.name).collect(),

@@ -7,7 +7,7 @@ use super::super::uniforms::FragFn;
 use super::super::{fog, interpolate, pack};
 use super::Builder;
 use crate::batch::Stage;
-use crate::enums::{GL_EXP2, GL_LINEAR, GL_SEPARATE_SPECULAR_COLOR, name};
+use crate::enums::{GL_EXP2, GL_LINEAR, GL_SEPARATE_SPECULAR_COLOR, Named};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::texture::combine::Source;
@@ -139,7 +139,7 @@ impl Builder<'_> {
         u.fog_color = [clamp01(f.color[0]), clamp01(f.color[1]), clamp01(f.color[2])];
         u.fog_scale = f.density;
         u.fog_end = f.end;
-        self.decide("fog", Fate::Kept, format!("{} for every fragment", name(f.mode)));
+        self.decide("fog", Fate::Kept, format_args!("{} for every fragment", Named(f.mode)));
         let u = &mut self.program.uniforms;
         Some(match f.mode {
             GL_LINEAR if f.end == f.start => &fog::FOG_STEP,

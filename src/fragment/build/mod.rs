@@ -25,6 +25,7 @@ use crate::state::State;
 use crate::texture::lod::Levels;
 use crate::texture::object::TextureObject;
 use crate::texture::whole::Filtered;
+use std::fmt::{self, Display};
 
 /// A program in the making.
 struct Builder<'a> {
@@ -37,6 +38,18 @@ struct Builder<'a> {
     /// Whether texturing leaves packed pixels.
     packed: bool,
     program: Program,
+}
+
+/// The names of a plan's steps, in small letters.
+struct Names<'a, F>(&'a [Step<F>]);
+
+impl<F> Display for Names<'_, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, step) in self.0.iter().enumerate() {
+            write!(f, "{}{}", if i > 0 { ", " } else { "" }, step.name.to_lowercase())?;
+        }
+        Ok(())
+    }
 }
 
 /// What the tests do, decided before any stage is placed.
@@ -205,8 +218,10 @@ impl Builder<'_> {
     }
 
     /// Notes a decision.
-    fn decide(&mut self, stage: impl Into<String>, fate: Fate, reason: impl Into<String>) {
-        self.program.decisions.push(Decision { stage: stage.into(), fate, reason: reason.into() });
+    fn decide(&mut self, stage: impl Display, fate: Fate, reason: impl Display) {
+        if !self.options.silent {
+            self.program.decisions.push(Decision { stage: stage.to_string(), fate, reason: reason.to_string() });
+        }
     }
 
     /// [`FIRST`] for the first stage that needs 1 / D, 0 for the others.
@@ -252,26 +267,30 @@ impl Builder<'_> {
         self.program.uniforms.stencil = stencil;
         let keep_stencil = func != Func::Always || stencil_write || (general && self.format.stencil_bits != 0);
         let keep_depth = depth != Func::Always || depth_write || (general && self.format.depth_bits != 0);
-        let off = |on: bool, what: &str| match on {
-            true => format!("{what} is on, but passes every fragment and writes nothing"),
-            false => format!("{what} is off, or the framebuffer has no such buffer"),
+        let off = |on: bool| match on {
+            true => "the test is on, but passes every fragment and writes nothing",
+            false => "the test is off, or the framebuffer has no such buffer",
         };
         if alpha != Func::Always || general {
-            self.decide("alpha test", Fate::Kept, format!("{} on the alpha rounded as the store does", alpha.name()));
+            self.decide(
+                "alpha test",
+                Fate::Kept,
+                format_args!("{} on the alpha rounded as the store does", alpha.name()),
+            );
         } else {
-            self.decide("alpha test", Fate::LeftOut, off(c.alpha_test, "the alpha test"));
+            self.decide("alpha test", Fate::LeftOut, off(c.alpha_test));
         }
         if keep_stencil {
             let writes = if stencil_write { "writes" } else { "writes nothing" };
-            self.decide("stencil test", Fate::Kept, format!("{}, {writes}", func.name()));
+            self.decide("stencil test", Fate::Kept, format_args!("{}, {writes}", func.name()));
         } else {
-            self.decide("stencil test", Fate::LeftOut, off(stencil_on, "the stencil test"));
+            self.decide("stencil test", Fate::LeftOut, off(stencil_on));
         }
         if keep_depth {
             let writes = if depth_write { "writes" } else { "writes nothing" };
-            self.decide("depth test", Fate::Kept, format!("{}, {writes}", depth.name()));
+            self.decide("depth test", Fate::Kept, format_args!("{}, {writes}", depth.name()));
         } else {
-            self.decide("depth test", Fate::LeftOut, format!("no depth is computed: {}", off(depth_on, "the test")));
+            self.decide("depth test", Fate::LeftOut, format_args!("no depth is computed: {}", off(depth_on)));
         }
         Tests {
             alpha: (alpha != Func::Always || general).then_some(alpha),

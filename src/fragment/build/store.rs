@@ -5,7 +5,7 @@ use super::super::program::{Action, Fate};
 use super::super::uniforms::BlendUniforms;
 use super::super::{float_store, logic_op, pack, texel};
 use super::Builder;
-use crate::enums::{GL_CLEAR, GL_COPY, GL_SET, name};
+use crate::enums::{GL_CLEAR, GL_COPY, GL_SET, Named};
 use crate::num::clamp01;
 
 /// How a program blends.
@@ -35,10 +35,10 @@ impl Builder<'_> {
             (_, true, _) => "a logic op takes its place",
             (.., true) => "ONE, ZERO gives the fragment's colour: the framebuffer is not read",
             _ => {
-                let names = [c.blend_src[0], c.blend_dst[0]].map(name);
+                let [src, dst] = [c.blend_src[0], c.blend_dst[0]].map(Named);
                 self.program.uniforms.blend = blend;
                 self.program.reads_framebuffer = true;
-                self.decide("blending", Fate::Kept, format!("factors {}, {}", names[0], names[1]));
+                self.decide("blending", Fate::Kept, format_args!("factors {src}, {dst}"));
                 let pair = if general || self.format.float { None } else { packed_pair(&blend) };
                 return Some(pair.map_or(Blending::Any, Blending::Packed));
             }
@@ -53,20 +53,18 @@ impl Builder<'_> {
         let c = &self.state.color_buffer;
         let general = self.options.general && !self.format.float;
         let on = c.logic_op_enabled && (GL_CLEAR..=GL_SET).contains(&c.logic_op);
-        let (fate, reason) = match (on, self.format.float, c.logic_op == GL_COPY) {
-            (false, ..) => (Fate::LeftOut, "GL_COLOR_LOGIC_OP is off".to_string()),
-            (_, true, _) => (Fate::LeftOut, "floats have no bits to combine".to_string()),
-            (.., true) => (Fate::LeftOut, "GL_COPY stores the fragment's colour".to_string()),
-            _ => (Fate::Kept, format!("operation {}", c.logic_op - GL_CLEAR)),
-        };
-        self.decide("logic op", if general { Fate::Kept } else { fate }, reason);
-        match fate {
-            Fate::Kept => {
+        let reason = match (on, self.format.float, c.logic_op == GL_COPY) {
+            (false, ..) => "GL_COLOR_LOGIC_OP is off",
+            (_, true, _) => "floats have no bits to combine",
+            (.., true) => "GL_COPY stores the fragment's colour",
+            _ => {
+                self.decide("logic op", Fate::Kept, format_args!("operation {}", Named(c.logic_op)));
                 self.program.reads_framebuffer = true;
-                Some(c.logic_op - GL_CLEAR)
+                return Some(c.logic_op - GL_CLEAR);
             }
-            _ => general.then_some(GL_COPY - GL_CLEAR),
-        }
+        };
+        self.decide("logic op", if general { Fate::Kept } else { Fate::LeftOut }, reason);
+        general.then_some(GL_COPY - GL_CLEAR)
     }
 
     /// Blending, logic op, mask and store.

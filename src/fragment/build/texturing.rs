@@ -7,7 +7,7 @@ use super::super::fill_texels::Copied;
 use super::super::planes::UnitSlots;
 use super::super::program::{Action, Fate};
 use super::super::{coordinates, interpolate, texel};
-use super::Builder;
+use super::{Builder, Names};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::texture::Env;
 use crate::texture::combine::{Function, Half, Operand, Source};
@@ -75,7 +75,7 @@ impl Builder<'_> {
                 bases[unit] = None;
                 samplers.retain(|(of, _)| *of != unit);
                 let reason = "no later environment takes its colour, and none its texture";
-                self.decide(format!("unit {unit}"), Fate::LeftOut, reason);
+                self.decide(format_args!("unit {unit}"), Fate::LeftOut, reason);
             }
         }
         let leaves = if untouched { self.leaves(&mut samplers, alpha_test) } else { Leaves::Floats };
@@ -168,28 +168,27 @@ impl Builder<'_> {
         self.push(&coordinates::COORDINATES, flags | (unit as u32) << 2);
         let q = if has_q { "divided by q" } else { "q is 1" };
         let d = if derivatives { "with derivatives" } else { "no derivatives, the level cannot differ" };
-        self.decide(format!("unit {unit} coordinates"), Fate::Kept, format!("{count} of s, t, r, {q}, {d}"));
+        self.decide(format_args!("unit {unit} coordinates"), Fate::Kept, format_args!("{count} of s, t, r, {q}, {d}"));
         if sampler.once {
             let reason = "once a batch where w is constant over its primitive: derivatives are then constants";
-            self.decide(format!("unit {unit} level of detail"), Fate::Hoisted, reason);
+            self.decide(format_args!("unit {unit} level of detail"), Fate::Hoisted, reason);
         }
         if let Some(levels) = &sampler.levels
             && let Some(place) = self.program.uniforms.levels.get_mut(unit)
         {
             *place = Some(levels.clone());
             let reason = "not where the least and the greatest rho of a row leave one level";
-            self.decide(format!("unit {unit} derivatives"), Fate::Hoisted, reason);
+            self.decide(format_args!("unit {unit} derivatives"), Fate::Hoisted, reason);
         }
         self.program.actions.push(Action::Sample(self.program.samplers.len()));
-        let steps: Vec<_> = sampler.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
-        self.decide(format!("unit {unit} sampler"), Fate::Kept, steps.join(", "));
+        self.decide(format_args!("unit {unit} sampler"), Fate::Kept, Names(&sampler.plan.steps));
         if sampler.wraps {
             let reason = "with the fetch, and only where a primitive's coordinates leave 0 to 1";
-            self.decide(format!("unit {unit} wrap"), Fate::Hoisted, reason);
+            self.decide(format_args!("unit {unit} wrap"), Fate::Hoisted, reason);
         }
         if sampler.opaque {
             let reason = "it is 1 in every texel, so it is 1 without a filter";
-            self.decide(format!("unit {unit} alpha"), Fate::LeftOut, reason);
+            self.decide(format_args!("unit {unit} alpha"), Fate::LeftOut, reason);
         }
         self.program.samplers.push(sampler);
     }
@@ -215,8 +214,7 @@ impl Builder<'_> {
         };
         if matches!(leaves, Leaves::Floats) || units.iter().take(end).any(Option::is_some) {
             let environments = EnvPlan::build_until(self.level, &units, end, self.options.general);
-            let steps: Vec<_> = environments.plan.steps.iter().map(|s| s.name.to_lowercase()).collect();
-            self.decide("environments", Fate::Kept, steps.join(", "));
+            self.decide("environments", Fate::Kept, Names(&environments.plan.steps));
             self.program.environments = Some(environments);
             self.program.actions.push(Action::Environments);
         }
@@ -224,7 +222,7 @@ impl Builder<'_> {
             self.packed = true;
             self.push(&texel::ENV_PACK, number);
             self.decide(
-                format!("unit {unit} environment"),
+                format_args!("unit {unit} environment"),
                 Fate::Hoisted,
                 "its colour is rounded as it is made: nothing that needs floats comes before the store",
             );
