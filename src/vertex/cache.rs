@@ -91,7 +91,9 @@ pub struct VertexCache {
 impl VertexCache {
     /// Turns the next indices of a list into ids of a pool that holds `held` vertices. Returns how many were taken.
     pub fn next_chunk(&mut self, list: IndexList<'_>, held: u32) -> usize {
-        self.ids.resize(CHUNK_INDICES, 0);
+        // No more room than the list asks for: a short draw would fill it with zeros for nothing.
+        let most = CHUNK_INDICES.min(list.len());
+        self.ids.resize(most, 0);
         let range = match list.size {
             1 => near(list.bytes.as_chunks::<1>().0, held, &mut self.ids),
             2 => near(list.bytes.as_chunks::<2>().0, held, &mut self.ids),
@@ -109,7 +111,7 @@ impl VertexCache {
             self.places.resize(PLACES, 0);
             self.chunk = 1;
         }
-        self.keys.resize(CHUNK_VERTICES as usize, 0);
+        self.keys.resize(most.min(CHUNK_VERTICES as usize), 0);
         let (taken, vertices) = match list.size {
             1 => self.fill(list.bytes.as_chunks::<1>().0, held),
             2 => self.fill(list.bytes.as_chunks::<2>().0, held),

@@ -79,7 +79,7 @@ impl Program {
             coverage: options.coverage,
             decisions: Vec::new(),
             uniforms: FragUniforms::default(),
-            actions: Vec::new(),
+            actions: Vec::with_capacity(16),
             fill: None,
             light: false,
             levelled: false,
