@@ -27,6 +27,8 @@ use crate::texture::whole::Filtered;
 pub(super) const DEPTH: u32 = 1 << 4;
 pub(super) const COLOR: u32 = 1 << 5;
 
+/// From this length on it pays to look at the depths that a run leaves behind: whole blocks, for the sake of other runs.
+const LOOK_FROM: usize = 32;
 /// Pixels of the last blocks of a run.
 const SHORT: usize = 16;
 
@@ -98,7 +100,8 @@ impl<S: Source> Run<S> {
                 }
             } else {
                 compare(*func, &z, depth, &mut mask);
-                if living(&mask) == 0 {
+                // Of a few pixels it takes longer to know than to go on.
+                if N > SHORT && living(&mask) == 0 {
                     return Block::Dead;
                 }
                 if *writes {
@@ -164,7 +167,7 @@ fn run<S: Source>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>
         }
     }
     if let Some((_, func, true)) = run.depth
-        && first < done
+        && done - first >= LOOK_FROM
         && coarse(func)
     {
         let (x, offset) = (segment.x.wrapping_add(first as i32), segment.offset.wrapping_add(first as u32));
