@@ -19,6 +19,17 @@ pub struct Outline {
     pub count: usize,
 }
 
+/// The greatest whole number that is not greater.
+fn floor(v: f64) -> i32 {
+    let n = v as i32;
+    n.saturating_sub(i32::from(f64::from(n) > v))
+}
+
+/// The corner after corner i.
+fn next(i: usize, count: usize) -> usize {
+    if i + 1 < count { i + 1 } else { 0 }
+}
+
 impl Outline {
     fn new(origin: [i32; 2], corners: &[[f64; 2]], clip: Rect) -> Self {
         let mut corner = [[0.0; 2]; 4];
@@ -45,7 +56,7 @@ impl Outline {
         let (low, high) = (middle - 0.5, middle + 0.5);
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for i in 0..self.count {
-            let (p, q) = (self.corner[i], self.corner[(i + 1) % self.count]);
+            let (p, q) = (self.corner[i], self.corner[next(i, self.count)]);
             let (below, above) = if p[1] <= q[1] { (p, q) } else { (q, p) };
             if above[1] < low || below[1] > high {
                 continue;
@@ -64,8 +75,9 @@ impl Outline {
         if least > most {
             return (0, 0);
         }
-        let first = self.origin[0].saturating_add(least as i32).saturating_sub(2);
-        let last = self.origin[0].saturating_add(most as i32).saturating_add(3);
+        // A pixel reaches half a pixel to either side; a little is to spare for rounding.
+        let first = self.origin[0].saturating_add(floor(least + (0.5 - 1e-6)));
+        let last = self.origin[0].saturating_add(floor(most + (0.5 + 1e-6))).saturating_add(1);
         (first.max(self.rect.x0), last.min(self.rect.x1))
     }
 
@@ -80,11 +92,17 @@ impl Outline {
         }
         let mut count = self.count;
         for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
-            (polygon, count) = cut(&polygon, count, axis, sign);
+            let inside = polygon.iter().take(count).filter(|p| 0.5 - sign * p[axis] >= 0.0).count();
+            if inside == 0 {
+                return 0.0;
+            }
+            if inside < count {
+                (polygon, count) = cut(&polygon, count, axis, sign);
+            }
         }
         let mut twice = 0.0;
         for i in 0..count {
-            let (p, q) = (polygon[i], polygon[(i + 1) % count]);
+            let (p, q) = (polygon[i], polygon[next(i, count)]);
             twice += p[0] * q[1] - q[0] * p[1];
         }
         (twice.abs() * 0.5).min(1.0) as f32
@@ -101,7 +119,7 @@ fn cut(polygon: &[[f64; 2]; 8], count: usize, axis: usize, sign: f64) -> ([[f64;
         }
     };
     for i in 0..count {
-        let (p, q) = (polygon[i], polygon[(i + 1) % count]);
+        let (p, q) = (polygon[i], polygon[next(i, count)]);
         let (dp, dq) = (0.5 - sign * p[axis], 0.5 - sign * q[axis]);
         if dp >= 0.0 {
             put(p);
