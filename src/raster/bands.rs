@@ -176,32 +176,37 @@ impl<P: Shader> Flush<'_, P> {
                 to.row_from(draw.program.row_from());
             }
             to.primitive(i, of.origin, of.member.is_some());
-            self.primitive(prim, draw, &rows, to, &mut sink);
+            match prim.cover {
+                Cover::Mask { x, y, bits } => Self::mask([x, y], bits, &rows, to, &mut sink),
+                _ => self.primitive(prim, draw, &rows, to, &mut sink),
+            }
         }
         to.finish(&mut sink);
     }
 
-    #[inline]
+    /// Most primitives of large scenes are masks, so they have a path to themselves.
+    #[inline(always)]
+    fn mask([x, y]: [i32; 2], mut bits: u64, rows: &Range<i32>, to: &mut Emitter, sink: &mut impl Sink) {
+        let mut row = y;
+        if row < rows.start {
+            let skip = (rows.start - row).min(8);
+            bits = bits.checked_shr(8 * skip.unsigned_abs()).unwrap_or(0);
+            row += skip;
+        }
+        if rows.end - row < 8 {
+            // Rows beyond the band are another worker's.
+            bits &= u64::MAX.checked_shr(64 - 8 * (rows.end - row).clamp(0, 8).unsigned_abs()).unwrap_or(0);
+        }
+        to.mask(x, row, bits, sink);
+    }
+
     fn primitive(&self, prim: &Prim, draw: &Draw<P>, rows: &Range<i32>, to: &mut Emitter, sink: &mut impl Sink) {
         let geometry = self.geometry;
         let rs = &draw.raster;
         let stipple = rs.polygon_stipple.as_deref();
         let cut = |y0: i32, y1: i32| y0.max(rows.start)..y1.min(rows.end);
         match prim.cover {
-            Cover::Mask { x, y, bits } => {
-                let mut bits = bits;
-                let mut row = y;
-                if row < rows.start {
-                    let skip = (rows.start - row).min(8);
-                    bits = bits.checked_shr(8 * skip.unsigned_abs()).unwrap_or(0);
-                    row += skip;
-                }
-                if rows.end - row < 8 {
-                    // Rows beyond the band are another worker's.
-                    bits &= u64::MAX.checked_shr(64 - 8 * (rows.end - row).clamp(0, 8).unsigned_abs()).unwrap_or(0);
-                }
-                to.mask(x, row, bits, sink);
-            }
+            Cover::Mask { x, y, bits } => Self::mask([x, y], bits, rows, to, sink),
             Cover::Edges(i) => {
                 let Some(edges) = geometry.edges.get(i as usize) else { return };
                 match stipple {

@@ -38,6 +38,36 @@ struct Pending {
     step: u32,
 }
 
+/// The set bits of each byte: their places, a byte each from the lowest on, and how many there are.
+struct Bits {
+    columns: [u64; 256],
+    count: [u8; 256],
+}
+
+static BITS: Bits = {
+    let mut bits = Bits { columns: [0; 256], count: [0; 256] };
+    let mut i = 0;
+    while i < 256 * 8 {
+        let (byte, column) = (i / 8, i % 8);
+        if byte >> column & 1 != 0 {
+            bits.columns[byte] |= (column as u64) << (8 * bits.count[byte]);
+            bits.count[byte] += 1;
+        }
+        i += 1;
+    }
+    bits
+};
+
+/// How many pixels a mask has. Not every processor has an instruction for that.
+#[inline]
+fn count(bits: u64) -> usize {
+    let half = |bits: u64| -> usize {
+        let [a, b, c, d] = (bits as u32).to_le_bytes().map(|byte| usize::from(BITS.count[usize::from(byte)]));
+        (a + b) + (c + d)
+    };
+    half(bits) + if bits >> 32 != 0 { half(bits >> 32) } else { 0 }
+}
+
 /// Writes offsets and positions of all dense lanes of a batch.
 type SpreadFn = unsafe fn(&Pending, &mut FragmentBatch);
 
@@ -196,6 +226,10 @@ impl Emitter {
             self.finish(sink);
             self.sees(x, y, bits);
         }
+        if self.batch.tex.n + count(bits) <= self.cut {
+            self.append_mask(x, y, bits);
+            return;
+        }
         let mut rest = bits;
         while rest != 0 {
             if self.batch.tex.n >= self.cut {
@@ -211,15 +245,43 @@ impl Emitter {
     fn sees(&mut self, x: i32, y: i32, bits: u64) -> bool {
         let turn = x as u32 & 63;
         let (mut rest, mut row, mut twice) = (bits, y as usize, 0);
+        // Four rows at a time, whether they have pixels or not: how many do is not to be foreseen.
         while rest != 0 {
-            let pixels = (rest & 0xFF).rotate_left(turn);
-            let seen = &mut self.seen[row & 63];
-            twice |= *seen & pixels;
-            *seen |= pixels;
-            rest >>= 8;
-            row += 1;
+            for _ in 0..4 {
+                let pixels = (rest & 0xFF).rotate_left(turn);
+                let seen = &mut self.seen[row & 63];
+                twice |= *seen & pixels;
+                *seen |= pixels;
+                rest >>= 8;
+                row += 1;
+            }
         }
         twice != 0
+    }
+
+    /// Appends all pixels of a mask; there is room for them.
+    #[inline]
+    fn append_mask(&mut self, x: i32, y: i32, bits: u64) {
+        let offset = self.offset(x, y);
+        let place = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
+        let start = self.batch.tex.n;
+        let (mut n, mut rest, mut row) = (start, bits, 0);
+        while rest != 0 {
+            for _ in 0..4 {
+                let pixels = rest as u8 as usize;
+                // What is written beyond the row's pixels is overwritten by those of the next.
+                if let Some(to) = self.pending.pixel.get_mut(n..).and_then(|p| p.first_chunk_mut()) {
+                    *to = (BITS.columns[pixels] + row).to_le_bytes();
+                }
+                n += usize::from(BITS.count[pixels]);
+                rest >>= 8;
+                row += 16 * (u64::MAX / 0xFF);
+            }
+        }
+        if self.smooth {
+            self.batch.coverage.iter_mut().take(n).skip(start).for_each(|coverage| *coverage = 1.0);
+        }
+        self.put_place(start, n, place, offset);
     }
 
     /// Appends pixels of a mask until the batch is full; returns the rest.
