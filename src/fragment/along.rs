@@ -49,7 +49,39 @@ impl Along<f32> {
     }
 }
 
+impl Along<f32> {
+    /// N / D from x on, with 1 / D.
+    #[inline(always)]
+    pub(super) fn offsets<const N: usize>(&self, x: f32, rq: &[f32; N]) -> [f32; N] {
+        let mut t = [0.0; N];
+        for i in 0..N {
+            t[i] = (self.at + self.x * (x + IOTA[i])) * rq[i];
+        }
+        t
+    }
+
+    /// The values with these offsets.
+    #[inline(always)]
+    pub(super) fn limited<const N: usize>(&self, t: &[f32; N]) -> [f32; N] {
+        let mut out = [0.0; N];
+        for i in 0..N {
+            out[i] = clamp_f32(self.c + t[i], self.min, self.max);
+        }
+        out
+    }
+}
+
 impl Along<f64> {
+    /// N / D from x on, with 1 / D.
+    #[inline(always)]
+    pub(super) fn offsets<const N: usize>(&self, x: f32, rq: &[f64; N]) -> [f64; N] {
+        let mut t = [0.0; N];
+        for i in 0..N {
+            t[i] = (self.at + self.x * f64::from(x + IOTA[i])) * rq[i];
+        }
+        t
+    }
+
     #[inline(always)]
     fn wide(p: &Plane, y: f32) -> Self {
         let [c, min, max] = [p.c, p.min, p.max].map(f64::from);
@@ -63,30 +95,30 @@ impl Along<f64> {
         let far = f64::from(x[0]).abs() + f64::from(x[1]).abs();
         let terms = terms + step.abs() * far;
         let n_terms = p.n0.abs() + (p.ny * f64::from(y)).abs() + p.nx.abs() * far;
-        x.iter().all(|x| {
-            let x = f64::from(*x);
+        let keeps_away = |x: i32| {
+            let x = f64::from(x);
             let (d, n) = (at + step * x, self.at + self.x * x);
             let (rq, t) = (1.0 / (d - LOST * terms), n / d);
             let lost = LOST * (self.c.abs() + (n_terms + t.abs() * terms) * rq);
             let v = self.c + t;
             rq > 0.0 && v - lost >= self.min && v + lost <= self.max
-        })
+        };
+        keeps_away(x[0]) && keeps_away(x[1])
     }
 
-    /// The values from x on, without whole periods where they repeat; `inside`: the limits change nothing.
+    /// The values with these offsets, without whole periods where they repeat; `inside`: the limits change nothing.
     #[inline(always)]
-    fn values<const N: usize>(&self, x: f32, rq: &[f64; N], repeats: bool, inside: bool) -> [f32; N] {
-        let Self { at, x: step, c, min, max } = *self;
-        let free = |i: usize| c + (at + step * f64::from(x + IOTA[i])) * rq[i];
+    pub(super) fn limited<const N: usize>(&self, t: impl Fn(usize) -> f64, repeats: bool, inside: bool) -> [f32; N] {
+        let Self { c, min, max, .. } = *self;
         let value = |i: usize| {
-            let v = free(i);
+            let v = c + t(i);
             let v = if v > min { v } else { min };
             if v < max { v } else { max }
         };
         let mut out = [0.0; N];
         if repeats && inside {
             for i in 0..N {
-                out[i] = without_periods(free(i), 1.0, 1.0) as f32;
+                out[i] = without_periods(c + t(i), 1.0, 1.0) as f32;
             }
         } else if repeats {
             for i in 0..N {
@@ -99,6 +131,16 @@ impl Along<f64> {
         }
         out
     }
+}
+
+/// 1 / D from x on.
+#[inline(always)]
+pub(super) fn reciprocals<const N: usize>([at, step]: Divisor<f64>, x: f32) -> [f64; N] {
+    let mut rq = [0.0; N];
+    for i in 0..N {
+        rq[i] = reciprocal64(at + step * f64::from(x + IOTA[i]));
+    }
+    rq
 }
 
 /// D along a row: its value at 0 and its change.
@@ -132,7 +174,10 @@ impl<const K: usize> Form<K> {
             let planes = unit.coords.each_ref().map(|p| Along::wide(p, y));
             let d = [at + up * f64::from(y), x];
             let terms = at.abs() + (up * f64::from(y)).abs();
-            let inside = planes.iter().zip(unit.coords).all(|(along, p)| along.inside(p, y, ends, (d, terms)));
+            let mut inside = true;
+            for k in 0..K {
+                inside &= planes[k].inside(&unit.coords[k], y, ends, (d, terms));
+            }
             Self::Wide(planes, d, inside)
         } else if unit.planes.affine {
             Self::Even(unit.coords.each_ref().map(|p| Along::new(p, y)))
@@ -160,13 +205,12 @@ impl<const K: usize> Form<K> {
                     }
                 }
             }
-            Self::Wide(planes, [at, step], inside) => {
-                let mut rq = [0.0; N];
-                for i in 0..N {
-                    rq[i] = reciprocal64(at + step * f64::from(x + IOTA[i]));
-                }
+            Self::Wide(planes, d, inside) => {
+                let rq: [f64; N] = reciprocals(*d, x);
                 for k in 0..K {
-                    out[k] = planes[k].values(x, &rq, repeats[k], *inside);
+                    let Along { at, x: step, .. } = planes[k];
+                    let t = |i: usize| (at + step * f64::from(x + IOTA[i])) * rq[i];
+                    out[k] = planes[k].limited(t, repeats[k], *inside);
                 }
             }
         }

@@ -70,9 +70,36 @@ fn ordered(a: f64, b: f64) -> [f64; 2] {
     if a < b { [a, b] } else { [b, a] }
 }
 
-/// Between which numbers the squares of rho of all pixels of a span are, as fragments compute them; `None` where D may
-/// come near 0.
-fn rho2<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> Option<[f64; 2]> {
+/// Along which axis of the window rho is greater.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axis {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// Now the one, now the other.
+    Either,
+}
+
+/// What a part of a run reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reads {
+    /// One level.
+    One(u32),
+    /// This level and the next one; which axis tells how much of each.
+    Two(u32, Axis),
+}
+
+/// What is known of a span.
+struct Limits {
+    /// Between which numbers the squares of rho of all pixels are, as fragments compute them.
+    rho2: [f64; 2],
+    /// The axis of which they are the squares.
+    axis: Axis,
+}
+
+/// What is known of rho in all pixels of a span; `None` where D may come near 0.
+fn limits<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> Option<Limits> {
     let Span { x, y } = span;
     let d = &unit.divisor;
     let lost = if unit.wide { LOST_WIDE } else { LOST };
@@ -104,7 +131,13 @@ fn rho2<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> Opt
     }
     let [low, high] = [0, 1].map(|i: usize| ordered(across[i], up[i])[1]);
     let fourth = |d: f64| (d * d) * (d * d);
-    Some([low / fourth(most) * (1.0 - LOST_RHO), high / fourth(least) * (1.0 + LOST_RHO)])
+    let exceeds = |a: [f64; 2], b: [f64; 2]| a[0] * (1.0 - LOST_RHO) > b[1] * (1.0 + LOST_RHO);
+    let axis = match (exceeds(across, up), exceeds(up, across)) {
+        (true, _) => Axis::X,
+        (_, true) => Axis::Y,
+        _ => Axis::Either,
+    };
+    Some(Limits { rho2: [low / fourth(most) * (1.0 - LOST_RHO), high / fourth(least) * (1.0 + LOST_RHO)], axis })
 }
 
 /// What is known of the levels that the fragments of a row read, of the unit with this index. The row is so many pixels
@@ -129,13 +162,13 @@ pub(super) fn of_row<const K: usize>(
     }
     let reach = ahead.reach[index].max(len);
     let pixels = if reach < ahead.left { reach } else { ahead.left };
-    match only(b, unit, (x, y, pixels), levels) {
-        Some(level) => {
+    match reads(b, unit, (x, y, pixels), levels) {
+        Some(Reads::One(level)) => {
             ahead.levels[index] = (level, ahead.left - pixels);
             ahead.reach[index] = (2 * reach).min(FARTHEST);
             Detail::Level(level)
         }
-        None => {
+        _ => {
             ahead.reach[index] = pixels / 2;
             ahead.blended |= u32::from(levels.blends) << index;
             Detail::Lanes
@@ -143,8 +176,8 @@ pub(super) fn of_row<const K: usize>(
     }
 }
 
-/// The only level that the next pixels of a run read, of which so many are left from (x, y) on, and how many do; `None` where
-/// limits do not tell for as many as a batch has.
+/// What the next pixels of a run read, of which so many are left from (x, y) on, and how many do; `None` where limits do not
+/// tell for as many as a batch has.
 #[inline(always)]
 pub(super) fn part<const K: usize>(
     ahead: &mut Ahead,
@@ -153,13 +186,13 @@ pub(super) fn part<const K: usize>(
     unit: &Unit<'_, K>,
     (x, y, left): (i32, i32, u32),
     levels: &Levels,
-) -> Option<(u32, u32)> {
+) -> Option<(Reads, u32)> {
     let reach = ahead.reach.get_mut(index as usize)?;
     loop {
         let pixels = (*reach).max(LANES as u32).min(left);
-        if let Some(level) = only(b, unit, (x, y, pixels), levels) {
+        if let Some(reads) = reads(b, unit, (x, y, pixels), levels) {
             *reach = (2 * *reach).clamp(LANES as u32, FARTHEST);
-            return Some((level, pixels));
+            return Some((reads, pixels));
         }
         *reach = pixels / 2;
         if pixels <= LANES as u32 {
@@ -168,17 +201,21 @@ pub(super) fn part<const K: usize>(
     }
 }
 
-/// The only level that so many pixels from (x, y) on read, if limits tell.
+/// The levels that so many pixels from (x, y) on read, if limits tell.
 #[inline(never)]
-fn only<const K: usize>(
+fn reads<const K: usize>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
     (x, y, pixels): (i32, i32, u32),
     levels: &Levels,
-) -> Option<u32> {
+) -> Option<Reads> {
     let (x, y) = (f64::from(x), f64::from(y));
     let last = x + f64::from(pixels.saturating_sub(1));
-    levels.only(b, rho2(unit, Span { x: [x, last], y }, &levels.scale)?)
+    let Limits { rho2, axis } = limits(unit, Span { x: [x, last], y }, &levels.scale)?;
+    match levels.only(b, rho2) {
+        Some(level) => Some(Reads::One(level)),
+        None => Some(Reads::Two(levels.first_of_two(rho2)?, axis)),
+    }
 }
 
 #[cfg(test)]
@@ -207,7 +244,7 @@ mod tests {
             UnitSlots { base: 0, count: 2, has_q: false, period: [1; 3], size: [256, 64, 1], cube: false };
         let mut next = numbers();
         let mut b = Box::new(FragmentBatch::new());
-        let (mut known, mut close) = (0, 0);
+        let (mut known, mut close, mut either, mut all) = (0, 0, 0, 0);
         for round in 0..40_000 {
             let (steep, odd) = (10f64.powf(-2.0 + 2.5 * next()), 10f64.powf(4.0 * next()));
             let divisor = Linear { at: 0.5 + 0.5 * next(), x: 1e-3 * steep * next(), y: 1e-3 * steep * next() };
@@ -226,8 +263,8 @@ mod tests {
             let row = Segment { len, x, y, row: true, ..Segment::default() };
             let scale = SLOTS.size.map(f64::from);
             let ends = [f64::from(x), f64::from(x) + f64::from(len - 1)];
-            let Some([least, greatest]) = rho2(&unit, Span { x: ends, y: f64::from(y) }, &[scale[0], scale[1], 0.0])
-            else {
+            let span = Span { x: ends, y: f64::from(y) };
+            let Some(Limits { rho2: [least, greatest], axis }) = limits(&unit, span, &[scale[0], scale[1], 0.0]) else {
                 continue;
             };
             known += 1;
@@ -245,13 +282,21 @@ mod tests {
                     let (s, t) = (d[0][i] * scale[0] as f32, d[1][i] * scale[1] as f32);
                     s * s + t * t
                 };
-                let found = f64::from(span(&b.tex.ddx).max(span(&b.tex.ddy)));
+                let [across, up] = [span(&b.tex.ddx), span(&b.tex.ddy)];
+                let found = f64::from(across.max(up));
+                match axis {
+                    Axis::X => assert!(across >= up, "{round}, lane {i}: {across:e}, {up:e}"),
+                    Axis::Y => assert!(up >= across, "{round}, lane {i}: {across:e}, {up:e}"),
+                    Axis::Either => either += 1,
+                }
+                all += 1;
                 assert!(
                     least <= found && found <= greatest,
                     "{round}, lane {i}: {found:e} in {least:e} to {greatest:e}"
                 );
             }
         }
+        assert!(2 * either < all, "{either} of {all} along either axis");
         assert!(known > 20_000 && close > 10_000, "{known} rows, {close} of them with close limits");
     }
 }

@@ -10,9 +10,9 @@ use super::compare::{Func, compare, holds, living};
 use super::coordinates::{Unit, unit};
 use super::depth::WRITE;
 use super::depth_rows::{Slope, coarse, hidden, lanes, look};
-use super::detail;
-use super::fill_linear::{Linear, Shown};
-use super::fill_texels::Texels;
+use super::detail::{self, Reads};
+use super::fill_levels::Between;
+use super::fill_linear::{Flat, Solid};
 use super::interpolate::primitive;
 use super::pack::Paint;
 use super::planes::Planes;
@@ -20,8 +20,6 @@ use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::texture::linear::{RGB, RGBA};
-use crate::texture::uniforms::WrappedImage;
-use crate::texture::whole::Filtered;
 
 /// Bits of [`FILL`]'s number above those of the depth test: depth is tested, colour is written.
 pub(super) const DEPTH: u32 = 1 << 4;
@@ -176,19 +174,19 @@ fn run<S: Source>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>
     done
 }
 
-/// The part of a run, with `left` pixels from (x, y) on, that one image serves, and its level; `None` at the end, and where
-/// there are levels and no limits tell which.
+/// The part of a run, with `left` pixels from (x, y) on, that the same images serve, and their levels; `None` at the end, and
+/// where there are levels and no limits tell which.
 #[inline(always)]
-fn part<const K: usize>(
+fn reads<const K: usize>(
     b: &mut FragmentBatch,
     u: &FragUniforms,
     (unit, index): (&Unit<'_, K>, u32),
     (x, y, left): (i32, i32, u32),
-) -> Option<(u32, u32)> {
+) -> Option<(Reads, u32)> {
     match u.levels.get(index as usize) {
         _ if left == 0 => None,
         Some(Some(levels)) => detail::part(&mut b.ahead, index, &b.tex, unit, (x, y, left), levels),
-        _ => Some((0, left)),
+        _ => Some((Reads::One(0), left)),
     }
 }
 
@@ -204,28 +202,50 @@ fn along(x: i32, y: i32, n: u32) -> along::Run {
     along::Run { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y }
 }
 
-/// The run of the first segment, filtered; as [`FILL_TEXELS`].
+/// What gives the parts of a run that read the same levels of one unit's image their pixels.
+pub(super) trait Parts<const K: usize> {
+    /// The pixels of a part.
+    type Source: Source;
+
+    /// The unit's index.
+    fn unit(&self) -> u32;
+
+    /// The source for a part of a run; `None` where batches must do it.
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, K>) -> Option<Self::Source>;
+}
+
+/// A part of a run.
+pub(super) struct Part<'a, const K: usize> {
+    pub segment: Segment,
+    pub run: along::Run,
+    pub unit: Unit<'a, K>,
+    pub reads: Reads,
+}
+
+/// The run of the first segment, part by part; leaves in `tex.n` how many of its pixels are done.
 #[inline(always)]
-fn filtered<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool>(
+fn parts<const K: usize, P: Parts<K>>(
     b: &mut FragmentBatch,
     u: &FragUniforms,
     w: &mut Work<'_, '_>,
     arg: u32,
-    image: &WrappedImage<K>,
+    of: Option<P>,
 ) {
     b.tex.n = 0;
     let segment = b.segments[0];
-    let (Some(planes), Some(shown)) = (w.planes.get(segment.prim as usize), &u.shown) else { return };
+    let (Some(planes), Some(of)) = (w.planes.get(segment.prim as usize), of) else { return };
     let (x, y) = row_origin(&segment, planes);
-    let Some(Some(slots)) = u.layout.units.get(shown.unit as usize) else { return };
-    let Some(unit) = unit::<K>(w, &segment, slots, shown.unit) else { return };
+    let Some(Some(slots)) = u.layout.units.get(of.unit() as usize) else { return };
     let mut done = 0;
-    while let Some((level, n)) = part(b, u, (&unit, shown.unit), (x.wrapping_add(done as i32), y, segment.len - done)) {
-        let (part, x) = (rest(&segment, done, n), x.wrapping_add(done as i32));
-        let (row, of) = ((&part, along(x, y, n)), (&unit, shown));
-        let Some(source) = Linear::<K, ROWS, FORMAT, BLENDED>::new(u, w, row, of, (image, level)) else { break };
+    while let Some(unit) = unit::<K>(w, &segment, slots, of.unit())
+        && let x = x.wrapping_add(done as i32)
+        && let Some((reads, n)) = reads(b, u, (&unit, of.unit()), (x, y, segment.len - done))
+    {
+        let run_of_part = along(x, y, n);
+        let part = Part { segment: rest(&segment, done, n), run: run_of_part, unit, reads };
+        let Some(source) = of.source(u, w, &part) else { break };
         let depth = depth_test(planes, (x, y, n), u, arg);
-        let did = run(w, &part, x, &Run { depth, source: Some(source) }) as u32;
+        let did = run(w, &part.segment, x, &Run { depth, source: Some(source) }) as u32;
         done += did;
         if did < n {
             break;
@@ -265,56 +285,41 @@ stage! {
     /// The same with the nearest texel of one image in the place of a colour. What it does not do (at the end of the
     /// buffers, or coordinates far from 0) must go through batches.
     pub(super) fn FILL_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        b.tex.n = 0;
-        let segment = b.segments[0];
-        let Some(planes) = w.planes.get(segment.prim as usize) else { return };
-        let (x, y) = row_origin(&segment, planes);
-        let Some(copied) = &u.copied else { return };
-        let Some(Some(slots)) = u.layout.units.get(copied.unit as usize) else { return };
-        let Some(unit) = unit::<2>(w, &segment, slots, copied.unit) else { return };
-        let mut done = 0;
-        while let Some((level, n)) =
-            part(b, u, (&unit, copied.unit), (x.wrapping_add(done as i32), y, segment.len - done))
-        {
-            let (part, x) = (rest(&segment, done, n), x.wrapping_add(done as i32));
-            let Some(source) = Texels::new(&unit, &copied.from, level, along(x, y, n), u.packed_or) else { break };
-            let depth = depth_test(planes, (x, y, n), u, arg);
-            let did = run(w, &part, x, &Run { depth, source: Some(source) }) as u32;
-            done += did;
-            if did < n {
-                break;
-            }
-        }
-        b.tex.n = done as usize;
+        parts(b, u, w, arg, u.copied.as_ref());
     }
 
     /// The same with what one linearly filtered image shows: three channels in two dimensions.
     pub(super) fn FILL_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        let Some(Shown { image: Filtered::Rgb(image), .. }) = &u.shown else { return };
-        filtered::<2, 2, RGB, false>(b, u, w, arg, image);
+        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
     }
 
     /// [`FILL_RGB`] with four channels.
     pub(super) fn FILL_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        let Some(Shown { image: Filtered::Rgba(image), .. }) = &u.shown else { return };
-        filtered::<2, 2, RGBA, false>(b, u, w, arg, image);
+        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
     }
 
     /// [`FILL_RGB`] in three dimensions.
     pub(super) fn FILL_RGB_3D: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        let Some(Shown { image: Filtered::Rgb3d(image), .. }) = &u.shown else { return };
-        filtered::<3, 4, RGB, false>(b, u, w, arg, image);
+        parts(b, u, w, arg, u.shown.as_ref().and_then(Solid::of));
     }
 
     /// [`FILL_RGB`] with blending.
     pub(super) fn FILL_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        let Some(Shown { image: Filtered::Rgb(image), .. }) = &u.shown else { return };
-        filtered::<2, 2, RGB, true>(b, u, w, arg, image);
+        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
     }
 
     /// [`FILL_RGBA`] with blending.
     pub(super) fn FILL_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        let Some(Shown { image: Filtered::Rgba(image), .. }) = &u.shown else { return };
-        filtered::<2, 2, RGBA, true>(b, u, w, arg, image);
+        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
+    }
+
+    /// What [`FILL_RGB`] leaves of a run because two levels are blended.
+    pub(super) fn FILL_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        parts(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
+    }
+
+    /// What [`FILL_RGBA`] leaves of a run because two levels are blended.
+    pub(super) fn FILL_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        parts(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
     }
 }

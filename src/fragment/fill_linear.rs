@@ -8,7 +8,8 @@ use super::batch::Segment;
 use super::blend::pair;
 use super::buffers::write;
 use super::coordinates::Unit;
-use super::fill::Source;
+use super::detail::Reads;
+use super::fill::{Part, Parts, Source};
 use super::interpolate::primitive;
 use super::pack::{whole, whole_pixel};
 use super::planes::{Plane, Planes};
@@ -48,7 +49,7 @@ enum Primary {
 }
 
 /// What the environment makes of texels along a row.
-struct Environment {
+pub(super) struct Environment {
     /// Planes by which red, green and blue are multiplied, if they are.
     color: Option<[Along<f32>; 3]>,
     alpha: Primary,
@@ -58,15 +59,76 @@ struct Environment {
     blend: Option<(u32, f32)>,
 }
 
+/// An image that is filtered along a row.
+pub(super) struct Level<'a, const K: usize> {
+    wraps: [near::Form; K],
+    level: &'a MipLevel,
+}
+
+impl<'a, const K: usize> Level<'a, K> {
+    /// A level of an image; `None` where the simple wraps are not enough for the coordinates of a unit.
+    #[inline(always)]
+    pub(super) fn new(image: &'a WrappedImage<K>, level: u32, unit: &Unit<'_, K>) -> Option<Self> {
+        let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
+        let mut wraps = [near::Form::Limited; K];
+        for k in 0..K {
+            let n = level.size[k];
+            wraps[k] = near::Form::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
+        }
+        Some(Self { wraps, level })
+    }
+
+    /// The texels at these coordinates, filtered, times k.
+    #[inline(always)]
+    pub(super) fn texels<const ROWS: usize, const FORMAT: u8, const N: usize>(
+        &self,
+        coordinates: &[[f32; N]; K],
+        k: f32,
+    ) -> [[f32; N]; 4] {
+        let (steps, mut at) = ([1, self.level.stride, self.level.slice], [self.level.origin; N]);
+        let mut weights = [[0.0; N]; 3];
+        for c in 0..K {
+            let (n, step) = (self.level.size[c], steps[c]);
+            self.wraps[c].run(&coordinates[c], n, n, &mut weights[c], |i, index| {
+                at[i] = at[i].wrapping_add(index.cast_unsigned().wrapping_mul(step));
+            });
+        }
+        let mut rows = [Pairs::<N>::NONE; ROWS];
+        linear::fetch_at(&mut rows, self.level, &at);
+        let mut texels = [[0.0; N]; 4];
+        for start in (0..N).step_by(CHUNK) {
+            let [s, t, r] = &weights;
+            let chunk = linear::blend::<ROWS, FORMAT, N>(&rows, [s, t, r], start, k);
+            for c in 0..4 {
+                if let Some(to) = texels[c].get_mut(start..).and_then(|to| to.first_chunk_mut()) {
+                    *to = chunk[c];
+                }
+            }
+        }
+        texels
+    }
+}
+
 /// What all blocks of a run need.
 pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> {
     form: Form<K>,
-    wraps: [near::Form; K],
     repeats: [bool; K],
-    level: &'a MipLevel,
+    level: Level<'a, K>,
     environment: Environment,
     /// D, if something is divided by it in `f32`.
     d: Option<Divisor<f32>>,
+}
+
+/// 1 / D from x on, or 1 where nothing is divided.
+#[inline(always)]
+pub(super) fn divided<const N: usize>(d: &Option<Divisor<f32>>, x: f32) -> [f32; N] {
+    let mut rw = [1.0; N];
+    if let Some([at, step]) = *d {
+        for i in 0..N {
+            rw[i] = 1.0 / (at + step * (x + IOTA[i]));
+        }
+    }
+    rw
 }
 
 /// The values of a plane from x on; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
@@ -128,14 +190,30 @@ impl Environment {
         Some(Self { color: channels, alpha, or: or | whole(255.0 * constant) << 24, blend })
     }
 
+    /// [`Environment::new`] for a run; `None` as well where something is interpolated that needs `f64`.
+    #[inline(always)]
+    pub(super) fn of_run<const FORMAT: u8, const K: usize>(
+        u: &FragUniforms,
+        w: &Work<'_, '_>,
+        segment: &Segment,
+        run: &Run,
+        unit: &Unit<'_, K>,
+        shown: &Shown,
+    ) -> Option<Self> {
+        let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
+        let environment = Self::new::<FORMAT>(shown, colors, run.y as f32, (u.scale, u.packed_or))?;
+        let wide = environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0;
+        (!wide).then_some(environment)
+    }
+
     /// Whether it reads planes that are interpolated.
-    fn interpolates(&self) -> bool {
+    pub(super) fn interpolates(&self) -> bool {
         self.color.is_some() || matches!(self.alpha, Primary::Product(_) | Primary::Stays(_))
     }
 
     /// The pixels from x on of texels in 0..=1; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
     #[inline(always)]
-    fn pixels<const N: usize, const BLENDED: bool>(
+    pub(super) fn pixels<const N: usize, const BLENDED: bool>(
         &self,
         texels: &mut [[f32; N]; 4],
         x: f32,
@@ -184,67 +262,87 @@ impl Environment {
     }
 }
 
+/// Two dimensions.
+pub(super) struct Flat<'a, const FORMAT: u8, const BLENDED: bool>(&'a Shown, &'a WrappedImage<2>);
+
+impl<'a, const FORMAT: u8, const BLENDED: bool> Flat<'a, FORMAT, BLENDED> {
+    /// The image that is shown.
+    #[inline(always)]
+    pub(super) fn of(shown: &'a Shown) -> Option<Self> {
+        Some(Self(shown, shown.image.flat()?))
+    }
+}
+
+impl<'a, const FORMAT: u8, const BLENDED: bool> Parts<2> for Flat<'a, FORMAT, BLENDED> {
+    type Source = Linear<'a, 2, 2, FORMAT, BLENDED>;
+
+    #[inline(always)]
+    fn unit(&self) -> u32 {
+        self.0.unit
+    }
+
+    #[inline(always)]
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::Source> {
+        Linear::new(u, w, part, self.0, self.1)
+    }
+}
+
+/// Three dimensions.
+pub(super) struct Solid<'a>(&'a Shown, &'a WrappedImage<3>);
+
+impl<'a> Solid<'a> {
+    /// The image that is shown.
+    #[inline(always)]
+    pub(super) fn of(shown: &'a Shown) -> Option<Self> {
+        match &shown.image {
+            Filtered::Rgb3d(image) => Some(Self(shown, image)),
+            _ => None,
+        }
+    }
+}
+
+impl<'a> Parts<3> for Solid<'a> {
+    type Source = Linear<'a, 3, 4, RGB, false>;
+
+    #[inline(always)]
+    fn unit(&self) -> u32 {
+        self.0.unit
+    }
+
+    #[inline(always)]
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 3>) -> Option<Self::Source> {
+        Linear::new(u, w, part, self.0, self.1)
+    }
+}
+
 impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool>
     Linear<'a, K, ROWS, FORMAT, BLENDED>
 {
-    /// The source of a row of a segment's primitive, with the images' level; `None` where batches must do it.
+    /// The source of a part of a run; `None` where batches must do it.
     #[inline(always)]
-    pub(super) fn new(
+    fn new(
         u: &FragUniforms,
         w: &Work<'_, '_>,
-        (segment, run): (&Segment, Run),
-        (unit, shown): (&Unit<'_, K>, &Shown),
-        (image, level): (&'a WrappedImage<K>, u32),
+        Part { segment, run, unit, reads }: &Part<'_, K>,
+        shown: &Shown,
+        image: &'a WrappedImage<K>,
     ) -> Option<Self> {
-        let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
-        let y = run.y as f32;
-        let environment = Environment::new::<FORMAT>(shown, colors, y, (u.scale, u.packed_or))?;
-        if environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0 {
-            return None;
-        }
-        let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
-        let mut wraps = [near::Form::Inside; K];
-        for k in 0..K {
-            let n = level.size[k];
-            wraps[k] = near::Form::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
-        }
-        let form = Form::new(unit, run);
+        let &Reads::One(level) = reads else { return None };
+        let environment = Environment::of_run::<FORMAT, K>(u, w, segment, run, unit, shown)?;
+        let level = Level::new(image, level, unit)?;
+        let form = Form::new(unit, *run);
         let divides = matches!(form, Form::Divided(..)) || environment.interpolates();
-        let d = (divides && !unit.planes.affine).then(|| divisor(&unit.planes.d, y));
-        Some(Self { form, wraps, repeats, level, environment, d })
+        let d = (divides && !unit.planes.affine).then(|| divisor(&unit.planes.d, run.y as f32));
+        Some(Self { form, repeats: image.repeats, level, environment, d })
     }
 
     /// The pixels from x on; what is there before is blended with.
     #[inline(always)]
     fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         let x = x as f32;
-        let mut rw = [1.0; N];
-        if let Some([at, step]) = self.d {
-            for i in 0..N {
-                rw[i] = 1.0 / (at + step * (x + IOTA[i]));
-            }
-        }
+        let rw = divided(&self.d, x);
         let coordinates = self.form.values(x, &rw, &self.repeats);
-        let (steps, mut at) = ([1, self.level.stride, self.level.slice], [self.level.origin; N]);
-        let mut weights = [[0.0; N]; 3];
-        for k in 0..K {
-            let (n, step) = (self.level.size[k], steps[k]);
-            self.wraps[k].run(&coordinates[k], n, n, &mut weights[k], |i, index| {
-                at[i] = at[i].wrapping_add(index.cast_unsigned().wrapping_mul(step));
-            });
-        }
-        let mut rows = [Pairs::<N>::NONE; ROWS];
-        linear::fetch_at(&mut rows, self.level, &at);
-        let mut texels = [[0.0; N]; 4];
-        for start in (0..N).step_by(CHUNK) {
-            let [s, t, r] = &weights;
-            let chunk = linear::blend::<ROWS, FORMAT, N>(&rows, [s, t, r], start, INV_255);
-            for c in 0..4 {
-                if let Some(to) = texels[c].get_mut(start..).and_then(|to| to.first_chunk_mut()) {
-                    *to = chunk[c];
-                }
-            }
-        }
+        let mut texels = self.level.texels::<ROWS, FORMAT, N>(&coordinates, INV_255);
         self.environment.pixels::<N, BLENDED>(&mut texels, x, &rw, self.d.is_none(), out);
     }
 }

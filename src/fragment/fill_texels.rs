@@ -7,8 +7,10 @@
 use super::along::{Form, Run, range};
 use super::buffers::write;
 use super::coordinates::Unit;
-use super::fill::Source;
+use super::detail::Reads;
+use super::fill::{Part, Parts, Source};
 use super::segments::IOTA;
+use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::{self, neighbours};
 use crate::texture::near::Near;
 use crate::texture::uniforms::WrappedImage;
@@ -34,11 +36,26 @@ pub(super) struct Texels<'a> {
     or: u32,
 }
 
-impl<'a> Texels<'a> {
-    /// The texels, of a level, of a row of a primitive; `None` where something is not as it is as a rule: coordinates that are not
-    /// finite or too far from 0 for the simple wrap.
+impl<'a> Parts<2> for &'a Copied {
+    type Source = Texels<'a>;
+
     #[inline(always)]
-    pub(super) fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, run: Run, or: u32) -> Option<Self> {
+    fn unit(&self) -> u32 {
+        self.unit
+    }
+
+    #[inline(always)]
+    fn source(&self, u: &FragUniforms, _w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Texels<'a>> {
+        let Reads::One(level) = part.reads else { return None };
+        Texels::new(&part.unit, &self.from, level, part.run, u.packed_or)
+    }
+}
+
+impl<'a> Texels<'a> {
+    /// The texels, of a level, of a run; `None` where something is not as it is as a rule: coordinates that are not finite or
+    /// too far from 0 for the simple wrap.
+    #[inline(always)]
+    fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, run: Run, or: u32) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
         let wrap = |k: usize| Near::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
         let (column, row) = (wrap(0)?, wrap(1)?);

@@ -97,9 +97,11 @@ pub struct Program {
     pub(super) actions: Vec<Action>,
     /// The stage that does whole runs by itself, where the program is so simple that there is one.
     pub(super) fill: Option<Step<FragFn>>,
-    /// Whether that stage reads no texture.
+    /// The stage that does parts of runs which that one leaves, because two levels of a texture are blended.
+    pub(super) fill_levels: Option<Step<FragFn>>,
+    /// Whether the stage for whole runs reads no texture.
     pub(super) light: bool,
-    /// Whether that stage leaves out what reads several levels of a texture.
+    /// Whether the stages for whole runs leave parts of which batches must find out the levels.
     pub(super) levelled: bool,
     /// The stage that says which pixels of a run the coarse depths hide.
     pub(super) hidden: Option<Step<FragFn>>,
@@ -242,6 +244,11 @@ impl Program {
                 let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
                 batch.ahead.advance(filled);
                 done += filled;
+                if let Some(step) = self.fill_levels.as_ref().filter(|_| done < len) {
+                    let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
+                    batch.ahead.advance(filled);
+                    done += filled;
+                }
                 // What was in its way for one batch may not be for the next one, where it has to know the level.
                 fill = fill.filter(|_| self.levelled);
             }

@@ -79,7 +79,7 @@ impl Sampler {
                 let n = image.size[c as usize];
                 Form::new(repeats, Range::of(batch, c as usize), if u.unnormalised { 1.0 } else { n }, n)
             });
-            u64::from(form != Some(Form::Inside))
+            u64::from(form.is_none_or(Form::wraps))
         };
         let dims = match step.name {
             name if name.starts_with("LINEAR_1D") => 1,

@@ -195,8 +195,12 @@ pub fn level_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f3
 pub struct Levels {
     /// Texels of the base level per unit of the coordinates; 0 for those that address no texels.
     pub scale: [f64; 3],
+    /// What is added to lambda.
+    pub bias: f32,
     /// For each level the squares of rho with which it is certainly the only one to be read.
     ranges: Vec<[f32; 2]>,
+    /// For each level those with which it is certainly blended with the next one, by a lambda that no limit touches.
+    pairs: Vec<[f32; 2]>,
     /// Whether two levels may be blended.
     pub blends: bool,
 }
@@ -206,8 +210,17 @@ impl Levels {
     #[must_use]
     pub fn new(u: &UnitUniforms, dims: usize, blends: bool) -> Self {
         let ranges = if blends { end_ranges(u.bias, u.min_lod, u.max_lod, u.last) } else { u.level_ranges.clone() };
+        let pairs = if blends { pair_ranges(u.bias, u.min_lod, u.max_lod, u.last) } else { Vec::new() };
         let scale = std::array::from_fn(|c| if c < dims { f64::from(u.scale[c]) } else { 0.0 });
-        Self { scale, ranges, blends }
+        Self { scale, bias: u.bias, ranges, pairs, blends }
+    }
+
+    /// The first of the two levels that are blended with squares of rho in these limits.
+    #[inline(always)]
+    #[must_use]
+    pub fn first_of_two(&self, [least, greatest]: [f64; 2]) -> Option<u32> {
+        let within = |[from, to]: &[f32; 2]| least >= f64::from(*from) && greatest < f64::from(*to);
+        self.pairs.iter().position(within).map(|level| level as u32)
     }
 
     /// The only level that is read with squares of rho in these limits. As a rule it is that of the batch before.
@@ -247,6 +260,16 @@ fn end_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f32; 2]>
         *range = [0.0, rho2(0.0, -OFF)];
     }
     ranges
+}
+
+/// For each level but the last the squares of rho of which lambda is certainly between it and the next one.
+fn pair_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f32; 2]> {
+    let rho2 = |lambda: f32, off: f64| crate::num::exp2(2.0 * (f64::from(lambda) - f64::from(bias) + off)) as f32;
+    let range = |level: f32| match min_lod <= level && max_lod >= level + 1.0 {
+        true => [rho2(level, OFF), rho2(level + 1.0, -OFF)],
+        false => [f32::INFINITY, 0.0],
+    };
+    (0..last as i32).map(|level| range(level as f32)).collect()
 }
 
 /// How far from a step of lambda ranges of levels end.

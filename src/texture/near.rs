@@ -4,7 +4,7 @@
 //!
 //! ```text
 //!   within 0..=1    REPEAT     N s differs from N (s - nearest whole number) by 0 or N, and all three are exact: the index
-//!                              is the same modulo N, or one in the ring that holds the same texel
+//!                              is the same modulo N
 //!                   the others limit nothing
 //! ```
 
@@ -82,12 +82,11 @@ impl Near {
 /// How a dimension is wrapped for a linear filter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
-    /// Not at all.
-    Inside,
-    /// REPEAT: the low bits of the index.
+    /// Not at all, but for the low bits of the index: all of them, or those of REPEAT where whole numbers were taken off
+    /// before.
+    Inside(u32),
+    /// REPEAT: whole numbers come off, and the low bits of the index are left.
     Around(u32),
-    /// The same where whole numbers were taken off before.
-    Fraction(u32),
     /// CLAMP and CLAMP_TO_EDGE.
     Limited,
 }
@@ -99,12 +98,18 @@ impl Form {
     pub fn new(repeats: bool, range: Range, scale: f32, n: f32) -> Option<Self> {
         let inside = range.inside() && scale == n;
         if !repeats {
-            return Some(if inside { Self::Inside } else { Self::Limited });
+            return Some(if inside { Self::Inside(u32::MAX) } else { Self::Limited });
         }
         let mask = repeat_mask(range.limit, scale, n)?;
         // Ties go to even numbers, so 0.5 is taken for a fraction, too.
-        let whole = if range.limit <= 0.5 { Self::Fraction(mask) } else { Self::Around(mask) };
-        Some(if inside { Self::Inside } else { whole })
+        let whole = range.limit > 0.5;
+        Some(if inside || !whole { Self::Inside(mask) } else { Self::Around(mask) })
+    }
+
+    /// Whether it does more than to multiply.
+    #[must_use]
+    pub fn wraps(self) -> bool {
+        !matches!(self, Self::Inside(_))
     }
 
     /// Gives each lane the index of the first of its two texels, and writes the weight of the second.
@@ -118,11 +123,11 @@ impl Form {
         mut put: impl FnMut(usize, i32),
     ) {
         match self {
-            Self::Inside => {
+            Self::Inside(mask) => {
                 for i in 0..N {
                     let (bits, w) = pair(s[i] * n);
                     weight[i] = w;
-                    put(i, bits.wrapping_sub(MAGIC.to_bits()).cast_signed());
+                    put(i, (bits.wrapping_sub(MAGIC.to_bits()) & mask).cast_signed());
                 }
             }
             Self::Around(mask) => {
@@ -130,13 +135,6 @@ impl Form {
                     let (bits, w) = pair((s[i] - ((s[i] + MAGIC) - MAGIC)) * n);
                     weight[i] = w;
                     // The low bits of MAGIC are 0.
-                    put(i, (bits & mask).cast_signed());
-                }
-            }
-            Self::Fraction(mask) => {
-                for i in 0..N {
-                    let (bits, w) = pair(s[i] * n);
-                    weight[i] = w;
                     put(i, (bits & mask).cast_signed());
                 }
             }
@@ -186,9 +184,7 @@ mod tests {
                 };
                 let ((i, w), j) = both(GL_REPEAT, s, n);
                 let (first, weight) = linear(form, s, n);
-                // Texel N - 1 stands at -1 as well.
-                let same = first == i || (form == Form::Inside && first == -1 && i == n as i32 - 1);
-                assert!(same && weight == w.to_bits(), "{s:e} of {n}: {first}, not {i}");
+                assert!(first == i && weight == w.to_bits(), "{s:e} of {n}: {first}, not {i}");
                 assert_eq!(nearest.index(s), j.cast_unsigned(), "{s:e} of {n}");
             }
             for n in [1.0f32, 2.0, 3.0, 100.0, 8191.0, 8192.0] {
@@ -216,7 +212,7 @@ mod tests {
         assert!(!inside(-f32::from_bits(1), 1.0) && !inside(0.0, 1.0f32.next_up()));
         assert!(!inside(f32::NAN, 1.0) && !inside(0.0, f32::NAN));
         assert_eq!(Form::new(true, Range { least: 0.0, limit: 1.0 }, 3.0, 3.0), None, "N s is not exact");
-        assert_eq!(Form::new(true, Range { least: 0.0, limit: 1.0 }, 4.0, 4.0), Some(Form::Inside));
+        assert_eq!(Form::new(true, Range { least: 0.0, limit: 1.0 }, 4.0, 4.0), Some(Form::Inside(3)));
         assert_eq!(Form::new(true, Range { least: 0.0, limit: 1.5 }, 4.0, 4.0), Some(Form::Around(3)));
         assert_eq!(Form::new(false, Range { least: 0.0, limit: 1.5 }, 4.0, 4.0), Some(Form::Limited));
         assert_eq!(Form::new(false, Range { least: 0.0, limit: 0.5 }, 1.0, 4.0), Some(Form::Limited), "rectangles");

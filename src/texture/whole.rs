@@ -18,6 +18,17 @@ pub enum Filtered {
     Rgb3d(WrappedImage<3>),
 }
 
+impl Filtered {
+    /// The image, if it has two dimensions.
+    #[must_use]
+    pub fn flat(&self) -> Option<&WrappedImage<2>> {
+        match self {
+            Self::Rgb(image) | Self::Rgba(image) => Some(image),
+            Self::Rgb3d(_) => None,
+        }
+    }
+}
+
 impl Sampler {
     /// The images and their wraps, if the sampler does nothing but this stage: on the base level, or where it has
     /// [`Sampler::levels`] on the one that is known to be the only one.

@@ -81,6 +81,7 @@ impl Program {
             uniforms: FragUniforms::default(),
             actions: Vec::with_capacity(16),
             fill: None,
+            fill_levels: None,
             light: false,
             levelled: false,
             hidden: None,
@@ -358,6 +359,13 @@ impl Builder<'_> {
             let reason = "only depth and texels as they are: one stage does whole runs of a row";
             self.fill_runs(&fill::FILL_TEXELS, tests, 0, reason);
         } else if let Some(shown) = &self.program.uniforms.shown {
+            let levels = self.program.uniforms.levels.get(shown.unit as usize).and_then(Option::as_ref);
+            let between = match (&shown.image, shown.blend) {
+                _ if !levels.is_some_and(|levels| levels.blends) => None,
+                (Filtered::Rgb(_), None) => Some(&fill::FILL_RGB_LEVELS),
+                (Filtered::Rgba(_), None) => Some(&fill::FILL_RGBA_LEVELS),
+                _ => None,
+            };
             let stage = match (&shown.image, shown.blend) {
                 (Filtered::Rgb(_), None) => &fill::FILL_RGB,
                 (Filtered::Rgb(_), _) => &fill::FILL_RGB_BLENDED,
@@ -367,6 +375,10 @@ impl Builder<'_> {
                 _ => return,
             };
             self.fill_runs(stage, tests, 0, "only depth and one linear image: one stage does whole runs of a row");
+            let arg = self.program.fill.map_or(0, |step| step.arg);
+            let step = |stage: &Stage<FragFn>| Step { name: stage.name, run: stage.levels[self.level as usize], arg };
+            self.program.fill_levels = between.map(step);
+            self.program.levelled |= between.is_some();
         }
     }
 

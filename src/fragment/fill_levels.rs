@@ -1,0 +1,100 @@
+//! Runs of a row, as those of [`fill_linear`](super::fill_linear), of which two levels of one image are blended (OpenGL 1.5,
+//! section 3.8.8, *_MIPMAP_LINEAR): limits of rho have told which two. The derivatives, the fraction of lambda, both levels'
+//! texels and their mix follow each other block by block. Every number comes from the same expressions as in the stages of
+//! batches, so the bits are the same.
+
+use super::along::{Divisor, Form, divisor};
+use super::buffers::write;
+use super::detail::Reads;
+use super::fill::{Part, Parts, Source};
+use super::fill_linear::{Environment, Level, Shown, divided};
+use super::mixing::Mixing;
+use super::uniforms::{FragUniforms, Work};
+use crate::texture::filter::{INV_255, lerp};
+use crate::texture::linear::RGB;
+use crate::texture::uniforms::WrappedImage;
+
+/// Between two levels of a 2D image.
+pub(super) struct Between<'a, const FORMAT: u8>(&'a Shown, &'a WrappedImage<2>);
+
+impl<'a, const FORMAT: u8> Between<'a, FORMAT> {
+    /// The image that is shown.
+    #[inline(always)]
+    pub(super) fn of(shown: &'a Shown) -> Option<Self> {
+        Some(Self(shown, shown.image.flat()?))
+    }
+}
+
+impl<'a, const FORMAT: u8> Parts<2> for Between<'a, FORMAT> {
+    type Source = TwoLevels<'a, FORMAT>;
+
+    #[inline(always)]
+    fn unit(&self) -> u32 {
+        self.0.unit
+    }
+
+    #[inline(always)]
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::Source> {
+        let Part { segment, run, unit, reads } = part;
+        let &Reads::Two(first, axis) = reads else { return None };
+        let environment = Environment::of_run::<FORMAT, 2>(u, w, segment, run, unit, self.0)?;
+        let mixing = Mixing::new(unit, u.levels.get(self.0.unit as usize)?.as_ref()?, first, axis)?;
+        let levels = [Level::new(self.1, first, unit)?, Level::new(self.1, first + 1, unit)?];
+        let form = Form::new(unit, *run);
+        let divides = matches!(form, Form::Divided(..)) || environment.interpolates();
+        let d = (divides && !unit.planes.affine).then(|| divisor(&unit.planes.d, run.y as f32));
+        Some(TwoLevels { form, repeats: self.1.repeats, levels, mixing, environment, d })
+    }
+}
+
+/// What all blocks of a run need.
+pub(super) struct TwoLevels<'a, const FORMAT: u8> {
+    form: Form<2>,
+    repeats: [bool; 2],
+    levels: [Level<'a, 2>; 2],
+    mixing: Mixing<2>,
+    environment: Environment,
+    /// D, if something is divided by it in `f32`.
+    d: Option<Divisor<f32>>,
+}
+
+/// A channel of two levels, mixed and brought to 0..=1.
+#[inline(always)]
+fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: &[f32; N]) -> [f32; N] {
+    let mut out = [0.0; N];
+    for i in 0..N {
+        out[i] = lerp(near[i], far[i], fractions[i]) * INV_255;
+    }
+    out
+}
+
+impl<const FORMAT: u8> TwoLevels<'_, FORMAT> {
+    /// The pixels from x on.
+    #[inline(always)]
+    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        let x = x as f32;
+        let rw = divided(&self.d, x);
+        let (coordinates, fractions) = self.mixing.values(&self.form, x, &rw, &self.repeats);
+        let near = self.levels[0].texels::<2, FORMAT, N>(&coordinates, 1.0);
+        let far = self.levels[1].texels::<2, FORMAT, N>(&coordinates, 1.0);
+        let mix = |c: usize| mixed(&near[c], &far[c], &fractions);
+        let mut texels = [mix(0), mix(1), mix(2), if FORMAT == RGB { [1.0; N] } else { mix(3) }];
+        self.environment.pixels::<N, false>(&mut texels, x, &rw, self.d.is_none(), out);
+    }
+}
+
+impl<const FORMAT: u8> Source for TwoLevels<'_, FORMAT> {
+    #[inline(always)]
+    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
+        let mut pixels = [0; N];
+        self.pixels(x, &mut pixels);
+        *to = pixels;
+    }
+
+    #[inline(always)]
+    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
+        let mut pixels = [0; N];
+        self.pixels(x, &mut pixels);
+        write(false, mask, &pixels, to);
+    }
+}

@@ -1,0 +1,164 @@
+//! How much of each of two levels pixels along a row read (OpenGL 1.5, section 3.8.8), for stages that do whole runs: where
+//! limits of rho say which two levels a part of a run blends ([`detail`](super::detail)), what is left of lambda is its
+//! fraction, and where they say along which axis rho is greater, the derivatives of that one are enough. Every number comes
+//! from the same expressions as in the stages of batches, so the bits are the same.
+
+use super::along::Form;
+use super::coordinates::{Unit, is_even};
+use super::detail::Axis;
+use crate::num::{log2_f32, max_f32};
+use crate::texture::lod::Levels;
+
+/// The derivatives along an axis of the window of the numerators of K coordinates, and of D.
+#[derive(Clone, Copy)]
+struct Slope<const K: usize> {
+    n: [f64; K],
+    d: f64,
+}
+
+/// Where the fraction of lambda comes from.
+enum Lambda<const K: usize> {
+    /// It is the same everywhere.
+    Same(f32),
+    /// The derivatives along this axis.
+    One(Slope<K>),
+    /// The greater one of those along both.
+    Two([Slope<K>; 2]),
+}
+
+/// What all blocks of a run need to find the weight of the second of two levels.
+pub(super) struct Mixing<const K: usize> {
+    lambda: Lambda<K>,
+    scale: [f32; K],
+    bias: f32,
+    level: f32,
+}
+
+impl<const K: usize> Mixing<K> {
+    /// For a part of a run that reads `level` and the next one, and of which rho is greatest along `axis`.
+    #[inline(always)]
+    pub(super) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, axis: Axis) -> Option<Self> {
+        let (mut x, mut y) = (Slope { n: [0.0; K], d: unit.divisor.x }, Slope { n: [0.0; K], d: unit.divisor.y });
+        let mut scale = [0.0; K];
+        for k in 0..K {
+            (x.n[k], y.n[k]) = (unit.coords[k].nx, unit.coords[k].ny);
+            scale[k] = levels.scale[k] as f32;
+        }
+        let lambda = match axis {
+            Axis::X => Lambda::One(x),
+            Axis::Y => Lambda::One(y),
+            Axis::Either => Lambda::Two([x, y]),
+        };
+        let mut mixing = Self { lambda, scale, bias: levels.bias, level: level as f32 };
+        if is_even(unit) {
+            let rho2 = max_f32(mixing.constant(&x), mixing.constant(&y));
+            mixing.lambda = Lambda::Same(mixing.fraction(rho2));
+        } else if unit.planes.affine && !unit.wide {
+            return None;
+        }
+        Some(mixing)
+    }
+
+    /// The square of rho along an axis where it is the same everywhere.
+    #[inline(always)]
+    fn constant(&self, slope: &Slope<K>) -> f32 {
+        let mut rho2 = 0.0;
+        for k in 0..K {
+            self.add(k, slope.n[k] as f32, &mut rho2);
+        }
+        rho2
+    }
+
+    /// Adds what a derivative of coordinate k contributes to the square of rho.
+    #[inline(always)]
+    fn add(&self, k: usize, derivative: f32, rho2: &mut f32) {
+        let texels = derivative * self.scale[k];
+        *rho2 = if k == 0 { texels * texels } else { *rho2 + texels * texels };
+    }
+
+    /// The weight of the second level. No limit touches lambda here, and its whole part is the first level.
+    #[inline(always)]
+    fn fraction(&self, rho2: f32) -> f32 {
+        (0.5 * log2_f32(rho2) + self.bias) - self.level
+    }
+
+    /// The squares of rho along an axis, with the offsets t = N / D of the coordinates and 1 / D.
+    #[inline(always)]
+    fn wide<const N: usize>(&self, slope: &Slope<K>, t: &[[f64; N]; K], rq: &[f64; N]) -> [f32; N] {
+        let mut rho2 = [0.0; N];
+        for k in 0..K {
+            let (n, d) = (slope.n[k], slope.d);
+            for i in 0..N {
+                self.add(k, ((n - t[k][i] * d) * rq[i]) as f32, &mut rho2[i]);
+            }
+        }
+        rho2
+    }
+
+    /// The same in `f32`.
+    #[inline(always)]
+    fn narrow<const N: usize>(&self, slope: &Slope<K>, t: &[[f32; N]; K], rq: &[f32; N]) -> [f32; N] {
+        let mut rho2 = [0.0; N];
+        for k in 0..K {
+            let (n, d) = (slope.n[k] as f32, slope.d as f32);
+            for i in 0..N {
+                self.add(k, (n - t[k][i] * d) * rq[i], &mut rho2[i]);
+            }
+        }
+        rho2
+    }
+
+    /// The coordinates from x on, and the weights of the second level; `rw` is 1 / D where it is needed in `f32`.
+    #[inline(always)]
+    pub(super) fn values<const N: usize>(
+        &self,
+        form: &Form<K>,
+        x: f32,
+        rw: &[f32; N],
+        repeats: &[bool; K],
+    ) -> ([[f32; N]; K], [f32; N]) {
+        let (mut out, mut rho2) = ([[0.0; N]; K], [0.0; N]);
+        match (&self.lambda, form) {
+            (Lambda::Same(fraction), _) => return (form.values(x, rw, repeats), [*fraction; N]),
+            (lambda, Form::Wide(planes, d, inside)) => {
+                let rq = super::along::reciprocals(*d, x);
+                let mut t = [[0.0; N]; K];
+                for k in 0..K {
+                    t[k] = planes[k].offsets(x, &rq);
+                    out[k] = planes[k].limited(|i| t[k][i], repeats[k], *inside);
+                }
+                match lambda {
+                    Lambda::One(slope) => rho2 = self.wide(slope, &t, &rq),
+                    Lambda::Two([a, b]) => {
+                        let (a, b) = (self.wide(a, &t, &rq), self.wide(b, &t, &rq));
+                        for i in 0..N {
+                            rho2[i] = max_f32(a[i], b[i]);
+                        }
+                    }
+                    Lambda::Same(_) => {}
+                }
+            }
+            (lambda, Form::Even(planes) | Form::Divided(planes, _)) => {
+                let mut t = [[0.0; N]; K];
+                for k in 0..K {
+                    t[k] = planes[k].offsets(x, rw);
+                    out[k] = planes[k].limited(&t[k]);
+                }
+                match lambda {
+                    Lambda::One(slope) => rho2 = self.narrow(slope, &t, rw),
+                    Lambda::Two([a, b]) => {
+                        let (a, b) = (self.narrow(a, &t, rw), self.narrow(b, &t, rw));
+                        for i in 0..N {
+                            rho2[i] = max_f32(a[i], b[i]);
+                        }
+                    }
+                    Lambda::Same(_) => {}
+                }
+            }
+        }
+        for i in 0..N {
+            rho2[i] = self.fraction(rho2[i]);
+        }
+        (out, rho2)
+    }
+}
