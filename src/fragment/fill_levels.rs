@@ -73,10 +73,14 @@ impl<const FORMAT: u8> TwoLevels<'_, FORMAT> {
     #[inline(always)]
     fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         let x = x as f32;
-        let rw = divided(&self.d, x);
+        let mut rw = [1.0; N];
+        if let Some(d) = self.d {
+            divided(d, x, &mut rw);
+        }
         let (coordinates, fractions) = self.mixing.values(&self.form, x, &rw, &self.repeats);
-        let near = self.levels[0].texels::<2, FORMAT, N>(&coordinates, 1.0);
-        let far = self.levels[1].texels::<2, FORMAT, N>(&coordinates, 1.0);
+        let (mut near, mut far) = ([[0.0; N]; 4], [[0.0; N]; 4]);
+        self.levels[0].texels::<2, FORMAT, N>(&coordinates, 1.0, &mut near);
+        self.levels[1].texels::<2, FORMAT, N>(&coordinates, 1.0, &mut far);
         let mix = |c: usize| mixed(&near[c], &far[c], &fractions);
         let mut texels = [mix(0), mix(1), mix(2), if FORMAT == RGB { [1.0; N] } else { mix(3) }];
         self.environment.pixels::<N, false>(&mut texels, x, &rw, self.d.is_none(), out);

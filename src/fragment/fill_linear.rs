@@ -17,7 +17,7 @@ use super::segments::IOTA;
 use super::texel::Step;
 use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
-use crate::texture::linear::{self, CHUNK, Pairs, RGB};
+use crate::texture::linear::{self, CHUNK, Indices, Pairs, RGB};
 use crate::texture::near;
 use crate::texture::uniforms::{MipLevel, WrappedImage};
 use crate::texture::whole::Filtered;
@@ -84,18 +84,18 @@ impl<'a, const K: usize> Level<'a, K> {
         &self,
         coordinates: &[[f32; N]; K],
         k: f32,
-    ) -> [[f32; N]; 4] {
-        let (steps, mut at) = ([1, self.level.stride, self.level.slice], [self.level.origin; N]);
+        texels: &mut [[f32; N]; 4],
+    ) {
+        let (steps, mut at) = ([1, self.level.stride, self.level.slice], Indices([self.level.origin; N]));
         let mut weights = [[0.0; N]; 3];
         for c in 0..K {
             let (n, step) = (self.level.size[c], steps[c]);
             self.wraps[c].run(&coordinates[c], n, n, &mut weights[c], |i, index| {
-                at[i] = at[i].wrapping_add(index.cast_unsigned().wrapping_mul(step));
+                at.0[i] = at.0[i].wrapping_add(index.cast_unsigned().wrapping_mul(step));
             });
         }
         let mut rows = [Pairs::<N>::NONE; ROWS];
-        linear::fetch_at(&mut rows, self.level, &at);
-        let mut texels = [[0.0; N]; 4];
+        linear::fetch_at(&mut rows, self.level, &at.0);
         for start in (0..N).step_by(CHUNK) {
             let [s, t, r] = &weights;
             let chunk = linear::blend::<ROWS, FORMAT, N>(&rows, [s, t, r], start, k);
@@ -105,7 +105,6 @@ impl<'a, const K: usize> Level<'a, K> {
                 }
             }
         }
-        texels
     }
 }
 
@@ -119,16 +118,12 @@ pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8
     d: Option<Divisor<f32>>,
 }
 
-/// 1 / D from x on, or 1 where nothing is divided.
+/// 1 / D from x on.
 #[inline(always)]
-pub(super) fn divided<const N: usize>(d: &Option<Divisor<f32>>, x: f32) -> [f32; N] {
-    let mut rw = [1.0; N];
-    if let Some([at, step]) = *d {
-        for i in 0..N {
-            rw[i] = 1.0 / (at + step * (x + IOTA[i]));
-        }
+pub(super) fn divided<const N: usize>([at, step]: Divisor<f32>, x: f32, rw: &mut [f32; N]) {
+    for i in 0..N {
+        rw[i] = 1.0 / (at + step * (x + IOTA[i]));
     }
-    rw
 }
 
 /// The values of a plane from x on; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
@@ -340,9 +335,13 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: boo
     #[inline(always)]
     fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         let x = x as f32;
-        let rw = divided(&self.d, x);
+        let mut rw = [1.0; N];
+        if let Some(d) = self.d {
+            divided(d, x, &mut rw);
+        }
         let coordinates = self.form.values(x, &rw, &self.repeats);
-        let mut texels = self.level.texels::<ROWS, FORMAT, N>(&coordinates, INV_255);
+        let mut texels = [[0.0; N]; 4];
+        self.level.texels::<ROWS, FORMAT, N>(&coordinates, INV_255, &mut texels);
         self.environment.pixels::<N, BLENDED>(&mut texels, x, &rw, self.d.is_none(), out);
     }
 }

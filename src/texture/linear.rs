@@ -41,6 +41,11 @@ impl<const N: usize> Pairs<N> {
     pub const NONE: Self = Self([[0; 2]; N]);
 }
 
+/// Where the texels of every lane are. Aligned like [`Pairs`]: wide stores across the ends of cache lines are waited for.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub struct Indices<const N: usize>(pub [u32; N]);
+
 /// The texels of an image from each of the rows on that a filter reads: row j, row j+1, then those of slice k+1. All are
 /// equally long, so that an index is checked once.
 #[inline(always)]

@@ -427,4 +427,22 @@ mod tests {
         }
         assert!(level_ranges(0.0, f32::NAN, 1.0, 5.0).is_empty());
     }
+
+    #[test]
+    fn a_pair_is_blended_by_the_fraction_alone() {
+        for (bias, min, max, last) in [(0.0, -1000.0, 1000.0, 10.0f32), (-3.2, 0.3, 4.4, 10.0)] {
+            let pairs = pair_ranges(bias, min, max, last);
+            let mut inside = 0;
+            for bits in (0..0x7f80_0000u32).step_by(1009) {
+                let rho2 = f32::from_bits(bits);
+                let free = 0.5 * log2_f32(rho2) + bias;
+                let l = clamp_f32(max_f32(min_f32(free, max), min), 0.0, last);
+                for (n, _) in pairs.iter().enumerate().filter(|(_, [from, to])| (*from..*to).contains(&rho2)) {
+                    assert_eq!((floor_f32(l), l), (n as f32, free), "{rho2:e} with bias {bias}");
+                    inside += 1;
+                }
+            }
+            assert!(inside > 40_000, "{inside}");
+        }
+    }
 }
