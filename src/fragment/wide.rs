@@ -8,15 +8,14 @@ use super::interpolate::{reciprocal64, reciprocals};
 use super::planes::{Linear, Planes, UnitSlots};
 use super::segments::{CHUNK, Chunk, Piece, Positions, linear64, put};
 use crate::batch::LANES;
-use crate::num::max_f32;
+use crate::num::{max_f32, round_f64};
 use crate::texture::batch::{Detail, Lanes, TexBatch};
 use crate::texture::near::Range;
 
 /// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
 #[inline(always)]
 pub(super) fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
-    v - period * ((v * inverse + MAGIC) - MAGIC)
+    v - period * round_f64(v * inverse)
 }
 
 /// Between which numbers coordinates are without whole periods that were not farther from 0 than `greatest`: half a period is

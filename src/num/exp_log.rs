@@ -4,6 +4,7 @@
 //! field; what is left is a short series on a small interval. Used by level of detail (section 3.8.8), fog (3.10) and
 //! the specular and spot exponents of lighting (2.14.1). Every function is total: whatever comes in, a number comes out.
 
+use super::MAGIC_F64 as MAGIC;
 use super::exp_log64::{LN2, atanh_series};
 use super::{clamp_f32, max_f32, min_f32};
 
@@ -109,8 +110,6 @@ pub fn pow_f32(x: f32, y: f32) -> f32 {
     if x > 0.0 { max_f32(power, 0.0) } else { of_zero }
 }
 
-/// 1.5 * 2^52, the magic number of `f64`.
-const MAGIC: f64 = 6_755_399_441_055_744.0;
 const MAGIC_BITS: i64 = MAGIC.to_bits() as i64;
 
 #[cfg(test)]

@@ -136,8 +136,7 @@ pub fn pow(x: f64, y: f64) -> f64 {
 
 /// The nearest whole number, ties to even, for |x| < 2^51.
 pub(super) fn nearest(x: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
-    (x + MAGIC) - MAGIC
+    super::round_f64(x)
 }
 
 #[cfg(test)]

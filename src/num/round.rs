@@ -8,6 +8,17 @@
 
 /// 1.5 * 2^23: a float whose unit in the last place is 1, with room on both sides.
 const MAGIC: f32 = 12_582_912.0;
+/// 1.5 * 2^52, the same of an `f64`: what is added to it is rounded to the nearest whole number, ties to even, for numbers
+/// below 2^51; the low half of the sum's bits is that number.
+pub const MAGIC_F64: f64 = 6_755_399_441_055_744.0;
+
+/// The nearest whole number, ties to even, for |x| < 2^51.
+#[inline(always)]
+#[must_use]
+pub fn round_f64(x: f64) -> f64 {
+    (x + MAGIC_F64) - MAGIC_F64
+}
+
 /// 2^23: from here on every float is a whole number.
 const WHOLE: f32 = 8_388_608.0;
 

@@ -82,8 +82,8 @@ pub fn snorm_to_f32(c: i32, bits: u32) -> f32 {
 #[must_use]
 pub fn f32_to_snorm(v: f32, bits: u32) -> i32 {
     let v = f64::from(super::clamp_f32(v, -1.0, 1.0));
-    // 1.5 * 2^52: the low half of the mantissa is the integer in two's complement.
-    let x = (f64::from(largest(bits)) * v - 1.0) * 0.5 + 6_755_399_441_055_744.0;
+    // The low half of the sum's mantissa is the integer in two's complement.
+    let x = (f64::from(largest(bits)) * v - 1.0) * 0.5 + super::MAGIC_F64;
     x.to_bits() as i32
 }
 

@@ -4,6 +4,7 @@
 use super::plane::{Basis, Recipe, Values, constant};
 use super::weights::Weights;
 use crate::fragment::planes::{Linear, Plane, UnitSlots};
+use crate::num::round_f64;
 
 impl Recipe {
     /// Coordinates of a unit: q, periods, and whether f64 is needed, as it is for all units without q where `wide_w` says
@@ -94,12 +95,11 @@ fn wide(basis: &Basis, slots: &UnitSlots, d: &Linear, r: [f64; 3], affine: bool,
 /// The largest whole number that is not above a number that came from an f32.
 #[inline(always)]
 fn floor(x: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
     if x.abs() >= 16_777_216.0 {
         // Floats from 2^24 on are whole, and even.
         return x;
     }
-    let r = (x + MAGIC) - MAGIC;
+    let r = round_f64(x);
     r - if r > x { 1.0 } else { 0.0 }
 }
 

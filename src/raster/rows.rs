@@ -8,6 +8,7 @@
 use super::masks::{Ints, edge_function, turns};
 use super::state::Rect;
 use crate::fragment::planes::GROUP;
+use crate::num::MAGIC_F64;
 
 /// Rows of a triangle, and columns.
 pub(super) const ROWS: usize = 16;
@@ -77,9 +78,6 @@ struct Step {
     remainder_step: Ints,
 }
 
-/// 1.5 * 2^52: what is added to it and taken off again is rounded to a whole number, which is the low half of the sum's bits.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
-
 /// Quotients, rounded down, and remainders. A float's quotient of two integers of 32 bits is rounded down to the right one:
 /// unless it is whole, it is farther away from the next whole number than it is rounded.
 #[inline(always)]
@@ -87,8 +85,8 @@ fn divide(e: &Ints, modulus: &Ints) -> (Ints, Ints) {
     let (mut quotient, mut remainder) = ([0; GROUP], [0; GROUP]);
     for i in 0..GROUP {
         let exact = f64::from(e[i]) / f64::from(modulus[i]);
-        let sum = exact + WHOLE;
-        quotient[i] = (sum.to_bits() as i32).wrapping_sub(i32::from(sum - WHOLE > exact));
+        let sum = exact + MAGIC_F64;
+        quotient[i] = (sum.to_bits() as i32).wrapping_sub(i32::from(sum - MAGIC_F64 > exact));
         remainder[i] = e[i].wrapping_sub(quotient[i].wrapping_mul(modulus[i]));
     }
     (quotient, remainder)

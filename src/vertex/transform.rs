@@ -11,8 +11,6 @@ use crate::raster::vertex::{Place, outcode};
 
 /// Windows positions with a greater absolute coordinate are outside the guard band.
 pub const GUARD_BAND: f64 = 32767.0;
-/// 1.5 * 2^52: added to a number, it leaves the nearest integer in the low bits.
-const MAGIC: f64 = 6_755_399_441_055_744.0;
 
 /// Row `r` of a matrix times a vector, in written order.
 #[inline(always)]
@@ -27,7 +25,7 @@ pub fn to_window(v: &ViewportNumbers, clip: [f64; 4]) -> ([f64; 3], [i32; 2]) {
     let [x, y, z, w] = clip;
     let rx = x / w * v.half[0];
     let ry = y / w * v.half[1];
-    let snap = |r: f64, center: i32| ((r * 256.0 + MAGIC).to_bits() as i32).wrapping_add(center);
+    let snap = |r: f64, center: i32| ((r * 256.0 + num::MAGIC_F64).to_bits() as i32).wrapping_add(center);
     (
         [rx + v.center[0], ry + v.center[1], z / w * v.depth_half + v.depth_center],
         [snap(rx, v.center_snapped[0]), snap(ry, v.center_snapped[1])],
