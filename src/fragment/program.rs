@@ -117,6 +117,8 @@ pub struct Program {
 
 /// From this length on a run is worth a call of the stage that fills.
 const FILLED: u32 = 8;
+/// The same of a stage that shows a texture: shorter runs of several rows make a batch that is computed as a whole.
+const SHOWN: u32 = 48;
 /// From this length on a run, or what is left of it, is worth a batch of its own: stages that compute whole rows are
 /// faster than those that go over the pieces of several, but compute unused lanes as well.
 const SPLIT: u32 = 32;
@@ -177,7 +179,11 @@ impl Program {
     /// Runs of a row from this length on may be given to [`row`](Self::row).
     #[must_use]
     pub fn row_from(&self) -> u32 {
-        if self.light { FILLED } else { SPLIT }
+        match (&self.fill, self.light) {
+            (Some(_), true) => FILLED,
+            (Some(_), false) => SHOWN,
+            _ => SPLIT,
+        }
     }
 
     /// About what a pixel of a large primitive costs, in pixels of one colour: enough to tell whether its rows are worth
