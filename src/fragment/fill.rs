@@ -13,6 +13,7 @@ use super::depth_rows::{Slope, coarse, hidden, lanes, look};
 use super::detail::{self, Reads};
 use super::fill_levels::Between;
 use super::fill_linear::{Flat, Solid};
+use super::fill_two_units::TwoImages;
 use super::interpolate::primitive;
 use super::pack::Paint;
 use super::planes::Planes;
@@ -311,6 +312,11 @@ stage! {
     /// [`FILL_RGBA`] with blending.
     pub(super) fn FILL_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
+    }
+
+    /// [`FILL_RGB`] of two units, and between levels.
+    pub(super) fn FILL_TWO_UNITS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        parts(b, u, w, arg, TwoImages::of(u));
     }
 
     /// What [`FILL_RGB`] leaves of a run because two levels are blended.

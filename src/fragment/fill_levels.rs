@@ -60,7 +60,7 @@ pub(super) struct TwoLevels<'a, const FORMAT: u8> {
 
 /// A channel of two levels, mixed and brought to 0..=1.
 #[inline(always)]
-fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: &[f32; N]) -> [f32; N] {
+pub(super) fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: &[f32; N]) -> [f32; N] {
     let mut out = [0.0; N];
     for i in 0..N {
         out[i] = lerp(near[i], far[i], fractions[i]) * INV_255;

@@ -51,7 +51,7 @@ enum Primary {
 /// What the environment makes of texels along a row.
 pub(super) struct Environment {
     /// Planes by which red, green and blue are multiplied, if they are.
-    color: Option<[Along<f32>; 3]>,
+    pub(super) color: Option<[Along<f32>; 3]>,
     alpha: Primary,
     /// Bits that are set in each pixel.
     or: u32,
@@ -128,7 +128,7 @@ pub(super) fn divided<const N: usize>([at, step]: Divisor<f32>, x: f32, rw: &mut
 
 /// The values of a plane from x on; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
 #[inline(always)]
-fn primary<const N: usize>(p: &Along<f32>, x: f32, rw: &[f32; N], even: bool) -> [f32; N] {
+pub(super) fn primary<const N: usize>(p: &Along<f32>, x: f32, rw: &[f32; N], even: bool) -> [f32; N] {
     let mut out = [0.0; N];
     if even {
         for i in 0..N {

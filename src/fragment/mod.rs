@@ -16,6 +16,7 @@ mod fill;
 mod fill_levels;
 mod fill_linear;
 mod fill_texels;
+mod fill_two_units;
 mod float_store;
 mod fog;
 mod interpolate;

@@ -5,6 +5,7 @@ use super::batch::FragmentBatch;
 use super::blend::{Equation, Factor};
 use super::fill_linear::Shown;
 use super::fill_texels::Copied;
+use super::fill_two_units::Last;
 use super::planes::{Layout, PlanePool, Planes};
 use super::stencil::StencilOp;
 use crate::framebuffer::Band;
@@ -44,6 +45,8 @@ pub struct FragUniforms {
     pub copied: Option<Copied>,
     /// What a program shows that does nothing with textures but to filter one image.
     pub shown: Option<Shown>,
+    /// What its colour is multiplied with at the end, by a program with two units.
+    pub last: Option<Last>,
 }
 
 /// The numbers of the stencil test.

@@ -358,6 +358,10 @@ impl Builder<'_> {
         if self.program.uniforms.copied.is_some() {
             let reason = "only depth and texels as they are: one stage does whole runs of a row";
             self.fill_runs(&fill::FILL_TEXELS, tests, 0, reason);
+        } else if self.program.uniforms.last.is_some() {
+            let reason = "only depth and two linear images, multiplied: one stage does whole runs of a row";
+            self.fill_runs(&fill::FILL_TWO_UNITS, tests, 0, reason);
+            self.program.levelled = self.program.uniforms.levels.iter().any(Option::is_some);
         } else if let Some(shown) = &self.program.uniforms.shown {
             let levels = self.program.uniforms.levels.get(shown.unit as usize).and_then(Option::as_ref);
             let between = match (&shown.image, shown.blend) {

@@ -4,6 +4,7 @@
 
 use super::super::fill_linear::Shown;
 use super::super::fill_texels::Copied;
+use super::super::fill_two_units::Last;
 use super::super::planes::UnitSlots;
 use super::super::program::{Action, Fate};
 use super::super::{coordinates, interpolate, texel};
@@ -15,6 +16,7 @@ use crate::texture::env::{EnvPlan, combine};
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
 use crate::texture::sampler::Sampler;
+use crate::texture::whole::Filtered;
 
 /// The base format of each unit's texture, as environments see it.
 type Bases = [Option<BaseFormat>; MAX_TEXTURE_UNITS];
@@ -96,6 +98,12 @@ impl Builder<'_> {
         {
             self.runs(*unit, sampler, leaves, blended);
         }
+        if let [first, last] = samplers.as_slice()
+            && !self.has_q(first.0, false)
+            && !self.has_q(last.0, false)
+        {
+            self.runs_of_two(first, last, leaves);
+        }
         for (unit, sampler) in samplers {
             self.unit(unit, sampler);
         }
@@ -116,6 +124,27 @@ impl Builder<'_> {
                 uniforms.shown = steps.and_then(shown);
             }
             _ => {}
+        }
+    }
+
+    /// The same where the colour of one is multiplied with that of another one, which has no levels.
+    fn runs_of_two(&mut self, first: &(usize, Sampler), last: &(usize, Sampler), leaves: Leaves) {
+        let Leaves::Packed { number, .. } = leaves else { return };
+        let enabled = 1 << (first.0 & 31) | 1 << (last.0 & 31);
+        let [Some(steps), Some([color, alpha])] =
+            [first, last].map(|(unit, sampler)| self.steps(*unit, sampler, enabled))
+        else {
+            return;
+        };
+        // Alpha of the last one is 1 everywhere.
+        let multiplies = color == texel::Step::Product && alpha != texel::Step::Texel;
+        if !multiplies || number & texel::TESTED != 0 || last.1.levels.is_some() {
+            return;
+        }
+        if let (Some(image @ Filtered::Rgb(_)), Some(Filtered::Rgb(other))) = (first.1.filters(), last.1.filters()) {
+            let uniforms = &mut self.program.uniforms;
+            uniforms.shown = Some(Shown { unit: first.0 as u32, image, steps, blend: None });
+            uniforms.last = Some(Last { unit: last.0 as u32, image: other });
         }
     }
 

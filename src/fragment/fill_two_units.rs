@@ -1,0 +1,170 @@
+//! Runs of a row, as those of [`fill_linear`](super::fill_linear), of programs with two units (OpenGL 1.5, section 3.8.14): a
+//! linearly filtered image, of one level or between two, and one without levels whose colour is multiplied with what the
+//! first one gives, as light maps are. Every number comes from the same expressions as in the stages of batches, so the bits
+//! are the same.
+
+use super::along::{Along, Divisor, Form, divisor};
+use super::buffers::write;
+use super::coordinates::unit;
+use super::detail::Reads;
+use super::fill::{Part, Parts, Source};
+use super::fill_levels::mixed;
+use super::fill_linear::{Environment, Level, Shown, divided, primary};
+use super::mixing::Mixing;
+use super::uniforms::{FragUniforms, Work};
+use crate::texture::filter::INV_255;
+use crate::texture::linear::RGB;
+use crate::texture::uniforms::WrappedImage;
+
+/// The image by whose texels the colour is multiplied last, and its unit.
+#[derive(Clone, Debug)]
+pub struct Last {
+    /// The unit's index.
+    pub unit: u32,
+    /// The image.
+    pub image: WrappedImage<2>,
+}
+
+/// Two images of three channels.
+pub(super) struct TwoImages<'a> {
+    shown: &'a Shown,
+    first: &'a WrappedImage<2>,
+    last: &'a Last,
+}
+
+impl<'a> TwoImages<'a> {
+    /// Those of a program.
+    #[inline(always)]
+    pub(super) fn of(u: &'a FragUniforms) -> Option<Self> {
+        let shown = u.shown.as_ref()?;
+        Some(Self { shown, first: shown.image.flat()?, last: u.last.as_ref()? })
+    }
+}
+
+impl<'a> Parts<2> for TwoImages<'a> {
+    type Source = TwoUnits<'a>;
+
+    #[inline(always)]
+    fn unit(&self) -> u32 {
+        self.shown.unit
+    }
+
+    #[inline(always)]
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<TwoUnits<'a>> {
+        let mut environment = Environment::of_run::<RGB, 2>(u, w, &part.segment, &part.run, &part.unit, self.shown)?;
+        let (level, between) = match part.reads {
+            Reads::One(level) => (level, None),
+            Reads::Two(level, axis) => {
+                let levels = u.levels.get(self.shown.unit as usize)?.as_ref()?;
+                let mixing = Mixing::new(&part.unit, levels, level, axis)?;
+                (level, Some((Level::new(self.first, level + 1, &part.unit)?, mixing)))
+            }
+        };
+        let slots = u.layout.units.get(self.last.unit as usize)?.as_ref()?;
+        let last_unit = unit::<2>(w, &part.segment, slots, self.last.unit)?;
+        let first = Filtered::new(Form::new(&part.unit, part.run), self.first, level, &part.unit)?;
+        let last = Filtered::new(Form::new(&last_unit, part.run), &self.last.image, 0, &last_unit)?;
+        let divides = |form: &Form<2>| matches!(form, Form::Divided(..));
+        let divides = divides(&first.form) || divides(&last.form) || environment.interpolates();
+        let d = (divides && !part.unit.planes.affine).then(|| divisor(&part.unit.planes.d, part.run.y as f32));
+        let color = environment.color.take();
+        Some(TwoUnits { first, between, color, last, environment, d })
+    }
+}
+
+/// A level of an image along a run.
+struct Filtered<'a> {
+    form: Form<2>,
+    repeats: [bool; 2],
+    level: Level<'a, 2>,
+}
+
+impl<'a> Filtered<'a> {
+    #[inline(always)]
+    fn new(
+        form: Form<2>,
+        image: &'a WrappedImage<2>,
+        level: u32,
+        unit: &super::coordinates::Unit<'_, 2>,
+    ) -> Option<Self> {
+        Some(Self { form, repeats: image.repeats, level: Level::new(image, level, unit)? })
+    }
+}
+
+/// What all blocks of a run need.
+pub(super) struct TwoUnits<'a> {
+    first: Filtered<'a>,
+    /// The level after that, and how much of it.
+    between: Option<(Level<'a, 2>, Mixing<2>)>,
+    /// Planes by which the first image's colour is multiplied, if it is.
+    color: Option<[Along<f32>; 3]>,
+    last: Filtered<'a>,
+    /// What is left of the environment: alpha.
+    environment: Environment,
+    /// D, if something is divided by it in `f32`.
+    d: Option<Divisor<f32>>,
+}
+
+/// Multiplies a channel.
+#[inline(always)]
+fn times<const N: usize>(channel: &[f32; N], by: &[f32; N]) -> [f32; N] {
+    let mut out = [0.0; N];
+    for i in 0..N {
+        out[i] = channel[i] * by[i];
+    }
+    out
+}
+
+impl TwoUnits<'_> {
+    /// The pixels from x on.
+    #[inline(always)]
+    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        let x = x as f32;
+        let (mut rw, even) = ([1.0; N], self.d.is_none());
+        if let Some(d) = self.d {
+            divided(d, x, &mut rw);
+        }
+        let (first, last) = (&self.first, &self.last);
+        let mut texels = [[0.0; N]; 4];
+        if let Some((level, mixing)) = &self.between {
+            let (coordinates, fractions) = mixing.values(&first.form, x, &rw, &first.repeats);
+            let (mut near, mut far) = ([[0.0; N]; 4], [[0.0; N]; 4]);
+            first.level.texels::<2, RGB, N>(&coordinates, 1.0, &mut near);
+            level.texels::<2, RGB, N>(&coordinates, 1.0, &mut far);
+            for c in 0..3 {
+                texels[c] = mixed(&near[c], &far[c], &fractions);
+            }
+        } else {
+            let coordinates = first.form.values(x, &rw, &first.repeats);
+            first.level.texels::<2, RGB, N>(&coordinates, INV_255, &mut texels);
+        }
+        if let Some(planes) = &self.color {
+            for c in 0..3 {
+                texels[c] = times(&texels[c], &primary(&planes[c], x, &rw, even));
+            }
+        }
+        let coordinates = last.form.values(x, &rw, &last.repeats);
+        let mut light = [[0.0; N]; 4];
+        last.level.texels::<2, RGB, N>(&coordinates, INV_255, &mut light);
+        for c in 0..3 {
+            texels[c] = times(&texels[c], &light[c]);
+        }
+        self.environment.pixels::<N, false>(&mut texels, x, &rw, even, out);
+    }
+}
+
+impl Source for TwoUnits<'_> {
+    #[inline(always)]
+    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
+        let mut pixels = [0; N];
+        self.pixels(x, &mut pixels);
+        *to = pixels;
+    }
+
+    #[inline(always)]
+    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
+        let mut pixels = [0; N];
+        self.pixels(x, &mut pixels);
+        write(false, mask, &pixels, to);
+    }
+}
