@@ -176,7 +176,8 @@ fn near<const BYTES: usize>(indices: &[[u8; BYTES]], held: u32, ids: &mut [u32])
             let distance = (number(*bytes) ^ turn).wrapping_sub(base);
             all |= distance;
             greatest = greatest.max(distance as i32);
-            *id = held + distance;
+            // A distance that is too far is not used.
+            *id = held.wrapping_add(distance);
         }
         if all >= CHUNK_VERTICES {
             break;
@@ -287,5 +288,9 @@ mod tests {
         let far: Vec<u32> = mesh.iter().map(|i| i * 100).collect();
         assert!(!walk(&far, 0).1);
         walk(&[5, 4, 3], 0);
+        // Just below the least of the first block.
+        let mut below: Vec<u32> = (0..3 * BLOCK as u32).map(|i| 1000 + i / 6).collect();
+        below.push(999);
+        walk(&below, 3);
     }
 }
