@@ -10,7 +10,8 @@
 //! derivatives that are not worked out, widens the limits. They are asked for once for several batches of a run: for all of
 //! it, or for as much as was of use before.
 
-use super::coordinates::Unit;
+use super::coordinates::{Unit, is_even};
+use super::mixing::even_rho2;
 use crate::batch::LANES;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::texture::batch::{Detail, TexBatch};
@@ -209,6 +210,12 @@ fn reads<const K: usize>(
     (x, y, pixels): (i32, i32, u32),
     levels: &Levels,
 ) -> Option<Reads> {
+    // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
+    if is_even(unit)
+        && let Some((level, blended)) = levels.exactly(even_rho2(unit, levels))
+    {
+        return Some(if blended { Reads::Two(level, Axis::Either) } else { Reads::One(level) });
+    }
     let (x, y) = (f64::from(x), f64::from(y));
     let last = x + f64::from(pixels.saturating_sub(1));
     let Limits { rho2, axis } = limits(unit, Span { x: [x, last], y }, &levels.scale)?;

@@ -34,6 +34,23 @@ pub(super) struct Mixing<const K: usize> {
     level: f32,
 }
 
+/// Adds what coordinate k moves, in texels, to the square of rho.
+#[inline(always)]
+fn add(k: usize, texels: f32, rho2: &mut f32) {
+    *rho2 = if k == 0 { texels * texels } else { *rho2 + texels * texels };
+}
+
+/// The square of rho of a unit whose derivatives are the same everywhere, as fragments compute it.
+pub(super) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> f32 {
+    let (mut x, mut y) = (0.0, 0.0);
+    for k in 0..K {
+        let (plane, scale) = (&unit.coords[k], levels.scale[k] as f32);
+        add(k, plane.nx as f32 * scale, &mut x);
+        add(k, plane.ny as f32 * scale, &mut y);
+    }
+    max_f32(x, y)
+}
+
 impl<const K: usize> Mixing<K> {
     /// For a part of a run that reads `level` and the next one, and of which rho is greatest along `axis`.
     #[inline(always)]
@@ -51,29 +68,17 @@ impl<const K: usize> Mixing<K> {
         };
         let mut mixing = Self { lambda, scale, bias: levels.bias, level: level as f32 };
         if is_even(unit) {
-            let rho2 = max_f32(mixing.constant(&x), mixing.constant(&y));
-            mixing.lambda = Lambda::Same(mixing.fraction(rho2));
+            mixing.lambda = Lambda::Same(mixing.fraction(even_rho2(unit, levels)));
         } else if unit.planes.affine && !unit.wide {
             return None;
         }
         Some(mixing)
     }
 
-    /// The square of rho along an axis where it is the same everywhere.
-    #[inline(always)]
-    fn constant(&self, slope: &Slope<K>) -> f32 {
-        let mut rho2 = 0.0;
-        for k in 0..K {
-            self.add(k, slope.n[k] as f32, &mut rho2);
-        }
-        rho2
-    }
-
     /// Adds what a derivative of coordinate k contributes to the square of rho.
     #[inline(always)]
     fn add(&self, k: usize, derivative: f32, rho2: &mut f32) {
-        let texels = derivative * self.scale[k];
-        *rho2 = if k == 0 { texels * texels } else { *rho2 + texels * texels };
+        add(k, derivative * self.scale[k], rho2);
     }
 
     /// The weight of the second level. No limit touches lambda here, and its whole part is the first level.

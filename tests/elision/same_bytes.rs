@@ -126,3 +126,45 @@ fn one_case_in_words() {
         println!("{word} {config:?}: {}", a_difference(&found.0, &expected.0));
     }
 }
+
+/// An image in its own size, half, a quarter of it: lambda is on a step between two levels, and next to it.
+#[test]
+fn levels_on_a_step_are_those_of_the_general_plan() {
+    const SIDE: i32 = 128;
+    let picture = |general_plan: bool, scale: f32, bias: f32, filters: [GLenum; 2]| {
+        let config = Config { general_plan, threads: 1, ..Config::default() };
+        let mut cx = Context::with_config(SIDE as u32, SIDE as u32, config);
+        let texels: Vec<u8> = (0..128 * 128 * 4u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+        cx.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
+        cx.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA as i32, 128, 128, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
+        cx.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filters[0] as i32);
+        cx.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filters[1] as i32);
+        cx.tex_envf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, bias);
+        cx.enable(GL_TEXTURE_2D);
+        cx.begin(GL_QUADS);
+        for [x, y] in [[-1.0f32, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            cx.tex_coord2f(scale * x, scale * y);
+            cx.vertex2f(x, y);
+        }
+        cx.end();
+        let mut bytes = vec![0; (SIDE * SIDE * 4) as usize];
+        cx.read_pixels(0, 0, SIDE, SIDE, GL_RGBA, GL_UNSIGNED_BYTE, &mut bytes);
+        assert_eq!(cx.get_error(), GL_NO_ERROR);
+        bytes
+    };
+    let own = 0.5;
+    let filters = [
+        [GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR],
+        [GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR],
+        [GL_LINEAR_MIPMAP_LINEAR, GL_NEAREST],
+        [GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR],
+    ];
+    for filters in filters {
+        for scale in [own, 2.0 * own, 4.0 * own, own * 1.000_001, own * 0.999_999, 3.0 * own, 400.0 * own] {
+            for bias in [0.0, 1.0, -1.0, 0.3] {
+                let same = picture(false, scale, bias, filters) == picture(true, scale, bias, filters);
+                assert!(same, "{filters:X?}, scale {scale}, bias {bias}");
+            }
+        }
+    }
+}
