@@ -6,9 +6,10 @@ use crate::enums::GLenum;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::raster::Scene;
-use crate::vertex::Source;
-use crate::vertex::lane::{Lane, Order, Parts, SourceDraw};
+use crate::vertex::cache::IndexList;
+use crate::vertex::lane::{Lane, Parts, SourceDraw};
 use crate::vertex::pipe::Pipe;
+use crate::vertex::{Order, Source};
 use std::sync::Arc;
 
 /// The parts of the engine that a draw works with; the rest may be where its vertices are.
@@ -25,7 +26,7 @@ pub(crate) struct Drawing<'a> {
 
 impl Drawing<'_> {
     /// Draws a primitive. What its vertices have in common must be in the pipe's batch already.
-    pub(crate) fn draw<S: Source>(self, source: &S, mode: GLenum, order: Order<'_>) {
+    pub(crate) fn draw<S: Source>(self, source: &S, mode: GLenum, order: Order<IndexList<'_>>) {
         let Self { pipe, lanes, scene, framebuffer, threads, passed } = self;
         let cut = pipe.cut();
         let Pipe { plan, lane, .. } = pipe;
@@ -50,7 +51,7 @@ impl Drawing<'_> {
 
 impl Engine {
     /// Draws vertices that are the engine's own. What they have in common must be in the pipe's batch already.
-    pub(super) fn draw_source<S: Source>(&mut self, source: &S, mode: GLenum, order: Order<'_>) {
+    pub(super) fn draw_source<S: Source>(&mut self, source: &S, mode: GLenum, order: Order<IndexList<'_>>) {
         let Self { pipe, lanes, scene, framebuffer, config, queries, .. } = self;
         let (threads, passed) = (config.threads, &mut queries.passed);
         Drawing { pipe, lanes, scene, framebuffer, threads, passed }.draw(source, mode, order);

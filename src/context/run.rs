@@ -11,8 +11,8 @@ use crate::batch::LANES;
 use crate::enums::*;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::current::Current;
+use crate::vertex::Order;
 use crate::vertex::batch::{VertexBatch, needs};
-use crate::vertex::lane::Order;
 use crate::vertex::store::Store;
 use crate::vertex::weld::Welded;
 

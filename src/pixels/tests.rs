@@ -5,7 +5,8 @@ use super::element::{from_rgba8, to_rgba8};
 use super::format::all_pairs;
 use super::*;
 use crate::enums::*;
-use crate::state::pixel::{PixelMaps, PixelStore, PixelTransfer};
+use crate::state::pixel::{PixelStore, PixelTransfer};
+use crate::state::pixel_maps::PixelMaps;
 
 /// A sequence of bytes that repeats late.
 fn noise(n: usize) -> Vec<u8> {

@@ -4,7 +4,8 @@
 //! are scaled and biased. Each step is left out when the state makes it neutral.
 
 use crate::num::clamp01;
-use crate::state::pixel::{PixelMaps, PixelTransfer};
+use crate::state::pixel::PixelTransfer;
+use crate::state::pixel_maps::PixelMaps;
 
 /// The pixel transfer state that applies to one command.
 #[derive(Clone, Copy, Debug)]

@@ -10,6 +10,7 @@ pub mod eval;
 pub mod fog;
 pub mod lighting;
 pub mod pixel;
+pub mod pixel_maps;
 pub mod raster;
 pub mod texture;
 pub mod transform;
@@ -54,7 +55,7 @@ pub struct State {
     /// Pixel transfer and zoom (tables 6.22, 6.23).
     pub pixel: pixel::Pixel,
     /// Pixel maps (table 6.24), in no attribute group.
-    pub pixel_maps: pixel::PixelMaps,
+    pub pixel_maps: pixel_maps::PixelMaps,
     /// Evaluators (table 6.22).
     pub eval: eval::Eval,
     /// Hints (table 6.26).

@@ -2,7 +2,7 @@
 //! indices: a chunk of the index list becomes a list of its different vertices, each once, and a list of ids that says
 //! how they are joined.
 
-use super::Keys;
+use super::{Keys, List};
 use std::ops::Range;
 
 /// Different vertices of a chunk.
@@ -36,13 +36,6 @@ impl<'a> IndexList<'a> {
         self.len() == 0
     }
 
-    /// Some of them.
-    #[must_use]
-    pub fn part(self, from: usize, until: usize) -> Self {
-        let until = until.min(self.len());
-        Self { bytes: self.bytes.get(from * self.size..until * self.size).unwrap_or_default(), size: self.size }
-    }
-
     /// The least and the greatest index.
     #[must_use]
     pub fn limits(self) -> (u32, u32) {
@@ -61,6 +54,17 @@ impl<'a> IndexList<'a> {
             [a, b, c, d] => u32::from_ne_bytes([a, b, c, d]),
             _ => 0,
         })
+    }
+}
+
+impl List for IndexList<'_> {
+    fn count(self) -> usize {
+        self.len()
+    }
+
+    fn part(self, from: usize, until: usize) -> Self {
+        let until = until.min(self.len());
+        Self { bytes: self.bytes.get(from * self.size..until * self.size).unwrap_or_default(), size: self.size }
     }
 }
 

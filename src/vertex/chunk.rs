@@ -125,7 +125,7 @@ impl Chunk {
         let first = self.held();
         let cut = cut.clamp(1, LANES);
         for from in (0..elements.keys.len()).step_by(cut) {
-            source.places(&elements.keys.part(from, cut), &mut self.batch);
+            source.places(&elements.keys.part(from, from + cut), &mut self.batch);
             self.place(plan);
         }
         self.feed(plan, culls, elements.ids);

@@ -6,7 +6,7 @@
 use super::cache::{IndexList, VertexCache};
 use super::chunk::Chunk;
 use super::plan::VertexPlan;
-use super::{Assembled, Keys, Source};
+use super::{Assembled, Keys, List, Order, Source};
 use crate::batch::LANES;
 use crate::enums::*;
 use crate::raster::{Builder, Pieces, Shader};
@@ -26,42 +26,6 @@ const LEAST: usize = 8 * UNIT;
 /// Vertices from which on a draw is worth cutting: starting a thread takes about as long as drawing a thousand triangles
 /// that are all culled.
 pub const WORTH_CUTTING: usize = 12_288;
-
-/// Which vertices are drawn, in which order.
-#[derive(Clone, Debug)]
-pub enum Order<'a> {
-    /// One after the other.
-    Range(Range<u32>),
-    /// Those of a list.
-    List(IndexList<'a>),
-}
-
-impl Order<'_> {
-    /// How many vertices there are.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        match self {
-            Self::Range(range) => range.len(),
-            Self::List(list) => list.len(),
-        }
-    }
-
-    /// Whether there is none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    fn part(&self, from: usize, until: usize) -> Self {
-        match self {
-            Self::Range(range) => {
-                let at = |i: usize| range.start.saturating_add(i as u32).min(range.end);
-                Self::Range(at(from)..at(until))
-            }
-            Self::List(list) => Self::List(list.part(from, until)),
-        }
-    }
-}
 
 /// A draw.
 #[derive(Debug)]
@@ -95,7 +59,7 @@ impl Lane {
     pub fn draw<T: Assembled, S: Source>(
         &mut self,
         draw: &SourceDraw<'_, S>,
-        order: Order<'_>,
+        order: Order<IndexList<'_>>,
         sink: &mut T,
         mut room: impl FnMut(&mut T),
     ) {
@@ -168,7 +132,7 @@ impl Lane {
 #[derive(Debug)]
 pub struct Parts<'a, S> {
     draw: SourceDraw<'a, S>,
-    order: Order<'a>,
+    order: Order<IndexList<'a>>,
     /// Vertices of a part.
     each: usize,
     /// How many vertices of the next part each part has too.
@@ -179,9 +143,9 @@ impl<'a, S: Source> Parts<'a, S> {
     /// Cuts a draw for a number of threads, if that is possible.
     pub fn new(
         draw: SourceDraw<'a, S>,
-        order: Order<'a>,
+        order: Order<IndexList<'a>>,
         threads: usize,
-    ) -> Result<Self, (SourceDraw<'a, S>, Order<'a>)> {
+    ) -> Result<Self, (SourceDraw<'a, S>, Order<IndexList<'a>>)> {
         let shared = match draw.mode {
             GL_TRIANGLES | GL_QUADS => 0,
             GL_TRIANGLE_STRIP | GL_QUAD_STRIP => 2,

@@ -129,22 +129,41 @@ impl<P: Shader> Assembled for Builder<'_, P> {
     }
 }
 
-/// Some elements of a source.
+/// Some elements of a source in an order: all from one to another, or those of a list.
 #[derive(Clone, Debug)]
-pub enum Keys<'a> {
+pub enum Order<L> {
     /// One after the other.
     Range(Range<u32>),
-    /// Each by its place in the source.
-    List(&'a [u32]),
+    /// Those of a list.
+    List(L),
 }
 
-impl Keys<'_> {
+/// A list of elements, by their places in the source.
+pub trait List: Copy {
+    /// How many there are.
+    fn count(self) -> usize;
+    /// Some of them.
+    #[must_use]
+    fn part(self, from: usize, until: usize) -> Self;
+}
+
+impl List for &[u32] {
+    fn count(self) -> usize {
+        self.len()
+    }
+
+    fn part(self, from: usize, until: usize) -> Self {
+        self.get(from..until.min(self.len())).unwrap_or_default()
+    }
+}
+
+impl<L: List> Order<L> {
     /// How many there are.
     #[must_use]
     pub fn len(&self) -> usize {
         match self {
             Self::Range(range) => range.len(),
-            Self::List(list) => list.len(),
+            Self::List(list) => list.count(),
         }
     }
 
@@ -154,6 +173,23 @@ impl Keys<'_> {
         self.len() == 0
     }
 
+    /// Some of them.
+    #[must_use]
+    pub fn part(&self, from: usize, until: usize) -> Self {
+        match self {
+            Self::Range(range) => {
+                let at = |i: usize| range.start.saturating_add(u32::try_from(i).unwrap_or(u32::MAX)).min(range.end);
+                Self::Range(at(from)..at(until))
+            }
+            Self::List(list) => Self::List(list.part(from, until)),
+        }
+    }
+}
+
+/// Some elements of a source, each of which can be asked for.
+pub type Keys<'a> = Order<&'a [u32]>;
+
+impl Keys<'_> {
     /// The element at some place.
     #[inline]
     #[must_use]
@@ -161,21 +197,6 @@ impl Keys<'_> {
         match self {
             Self::Range(range) => (i < range.len()).then(|| range.start.wrapping_add(i as u32)),
             Self::List(list) => list.get(i).copied(),
-        }
-    }
-
-    /// Those from one place on, at most `count`.
-    #[must_use]
-    pub fn part(&self, from: usize, count: usize) -> Self {
-        match self {
-            Self::Range(range) => {
-                let at = |i: usize| range.start.saturating_add(u32::try_from(i).unwrap_or(u32::MAX)).min(range.end);
-                Self::Range(at(from)..at(from.saturating_add(count)))
-            }
-            Self::List(list) => {
-                let rest = list.get(from..).unwrap_or_default();
-                Self::List(rest.get(..count).unwrap_or(rest))
-            }
         }
     }
 }

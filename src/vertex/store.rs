@@ -3,8 +3,8 @@
 //! To fill a batch is to copy arrays.
 
 use super::batch::{Lanes, VertexBatch, needs};
-use super::lane::Order;
-use super::{Keys, Source};
+use super::cache::IndexList;
+use super::{Keys, Order, Source};
 use crate::batch::LANES;
 
 /// Numbers of a position.
@@ -63,7 +63,7 @@ impl Store {
 
     /// All vertices in order.
     #[must_use]
-    pub fn order(&self) -> Order<'static> {
+    pub fn order(&self) -> Order<IndexList<'static>> {
         Order::Range(0..u32::try_from(self.count).unwrap_or(u32::MAX))
     }
 

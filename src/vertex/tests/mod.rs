@@ -5,7 +5,6 @@ mod clipping;
 mod fuzz;
 mod lit;
 mod primitives;
-mod speed;
 mod textured;
 
 use super::pipe::Pipe;

@@ -1,0 +1,141 @@
+//! The ten pixel maps (OpenGL 1.5, section 3.6.3, tables 3.3 and 6.24). A setter checks its values before it changes anything.
+
+use crate::enums::*;
+use crate::error::{Outcome, invalid_enum, invalid_value};
+use crate::limits::MAX_PIXEL_MAP_TABLE;
+use crate::num::clamp01;
+
+/// The names of the ten maps (table 3.3) in the order of the fields of [`PixelMaps`]: the map, its size.
+pub const PIXEL_MAPS: [(GLenum, GLenum); 10] = [
+    (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_I_TO_I_SIZE),
+    (GL_PIXEL_MAP_S_TO_S, GL_PIXEL_MAP_S_TO_S_SIZE),
+    (GL_PIXEL_MAP_I_TO_R, GL_PIXEL_MAP_I_TO_R_SIZE),
+    (GL_PIXEL_MAP_I_TO_G, GL_PIXEL_MAP_I_TO_G_SIZE),
+    (GL_PIXEL_MAP_I_TO_B, GL_PIXEL_MAP_I_TO_B_SIZE),
+    (GL_PIXEL_MAP_I_TO_A, GL_PIXEL_MAP_I_TO_A_SIZE),
+    (GL_PIXEL_MAP_R_TO_R, GL_PIXEL_MAP_R_TO_R_SIZE),
+    (GL_PIXEL_MAP_G_TO_G, GL_PIXEL_MAP_G_TO_G_SIZE),
+    (GL_PIXEL_MAP_B_TO_B, GL_PIXEL_MAP_B_TO_B_SIZE),
+    (GL_PIXEL_MAP_A_TO_A, GL_PIXEL_MAP_A_TO_A_SIZE),
+];
+
+/// The pixel maps. Each has 1 to MAX_PIXEL_MAP_TABLE entries, at first one entry of 0. Not part of any attribute group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PixelMaps {
+    /// Indices to indices: I_TO_I.
+    pub index_to_index: Vec<f32>,
+    /// Stencil indices to stencil indices: S_TO_S.
+    pub stencil_to_stencil: Vec<f32>,
+    /// Indices to R, G, B, A: I_TO_R and its siblings.
+    pub index_to_color: [Vec<f32>; 4],
+    /// R, G, B, A to themselves: R_TO_R and its siblings.
+    pub color_to_color: [Vec<f32>; 4],
+}
+
+impl Default for PixelMaps {
+    fn default() -> Self {
+        let map = || vec![0.0];
+        Self {
+            index_to_index: map(),
+            stencil_to_stencil: map(),
+            index_to_color: std::array::from_fn(|_| map()),
+            color_to_color: std::array::from_fn(|_| map()),
+        }
+    }
+}
+
+impl PixelMaps {
+    fn table(&self, slot: usize) -> &Vec<f32> {
+        match slot {
+            0 => &self.index_to_index,
+            1 => &self.stencil_to_stencil,
+            2..6 => &self.index_to_color[slot - 2],
+            _ => &self.color_to_color[(slot - 6) & 3],
+        }
+    }
+
+    fn table_mut(&mut self, slot: usize) -> &mut Vec<f32> {
+        match slot {
+            0 => &mut self.index_to_index,
+            1 => &mut self.stencil_to_stencil,
+            2..6 => &mut self.index_to_color[slot - 2],
+            _ => &mut self.color_to_color[(slot - 6) & 3],
+        }
+    }
+
+    fn slot(map: GLenum) -> Outcome<usize> {
+        PIXEL_MAPS.iter().position(|row| row.0 == map).ok_or_else(|| {
+            invalid_enum(format!("{} is not a pixel map; pass a name such as GL_PIXEL_MAP_R_TO_R", name(map)))
+        })
+    }
+
+    /// Whether a map yields indices (kept as numbers) rather than colours (kept in [0, 1]).
+    fn yields_indices(slot: usize) -> bool {
+        slot < 2
+    }
+
+    /// PixelMapfv: entries of a colour map are clamped to [0, 1]; a map that is looked up by an index must have 2^n of them.
+    pub fn set(&mut self, map: GLenum, values: &[f32]) -> Outcome {
+        let slot = Self::slot(map)?;
+        if values.is_empty() || values.len() > MAX_PIXEL_MAP_TABLE {
+            return Err(invalid_value(format!("{} entries; a map has 1 to {MAX_PIXEL_MAP_TABLE}", values.len())));
+        }
+        if slot < 6 && !values.len().is_power_of_two() {
+            return Err(invalid_value(format!(
+                "{} entries for {}; a map of indices has a power of two of them",
+                values.len(),
+                name(map)
+            )));
+        }
+        let limit = |v: f32| if Self::yields_indices(slot) { v } else { clamp01(v) };
+        *self.table_mut(slot) = values.iter().map(|&v| limit(v)).collect();
+        Ok(())
+    }
+
+    /// PixelMapuiv, and PixelMapusv with `max` 65535: entries of a colour map are divided by `max`.
+    pub fn set_unsigned(&mut self, map: GLenum, max: u32, values: impl ExactSizeIterator<Item = u32>) -> Outcome {
+        let slot = Self::slot(map)?;
+        let scale = if Self::yields_indices(slot) { 1.0 } else { f64::from(max.max(1)) };
+        let values: Vec<f32> = values.take(MAX_PIXEL_MAP_TABLE + 1).map(|v| (f64::from(v) / scale) as f32).collect();
+        self.set(map, &values)
+    }
+
+    /// The entries of a map, for GetPixelMapfv.
+    pub fn get(&self, map: GLenum) -> Outcome<&[f32]> {
+        Ok(self.table(Self::slot(map)?))
+    }
+
+    /// The entries of a map as unsigned integers, for GetPixelMapuiv and (with `max` 65535) GetPixelMapusv.
+    pub fn get_unsigned(&self, map: GLenum, max: u32) -> Outcome<impl Iterator<Item = u32>> {
+        let slot = Self::slot(map)?;
+        let scale = if Self::yields_indices(slot) { 1.0 } else { f64::from(max) };
+        Ok(self
+            .table(slot)
+            .iter()
+            .map(move |&v| (f64::from(v) * scale + 0.5).floor().clamp(0.0, f64::from(max)) as u32))
+    }
+
+    /// How many entries the map has whose `GL_PIXEL_MAP_*_SIZE` is `pname`; `None` for any other name.
+    #[must_use]
+    pub fn size(&self, pname: GLenum) -> Option<usize> {
+        PIXEL_MAPS.iter().position(|row| row.1 == pname).map(|slot| self.table(slot).len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn map_entries_convert_and_clamp() {
+        let mut maps = PixelMaps::default();
+        maps.set(GL_PIXEL_MAP_A_TO_A, &[-1.0, 0.5, 7.0, f32::NAN]).unwrap();
+        assert_eq!(maps.color_to_color[3], [0.0, 0.5, 1.0, 0.0]);
+        maps.set_unsigned(GL_PIXEL_MAP_I_TO_G, 65535, [0, 65535].into_iter()).unwrap();
+        assert_eq!(maps.index_to_color[1], [0.0, 1.0]);
+        maps.set_unsigned(GL_PIXEL_MAP_S_TO_S, 65535, [3, 9].into_iter()).unwrap();
+        assert_eq!(maps.stencil_to_stencil, [3.0, 9.0]);
+        assert_eq!(maps.get_unsigned(GL_PIXEL_MAP_S_TO_S, u32::MAX).unwrap().collect::<Vec<_>>(), [3, 9]);
+        assert_eq!(maps.get_unsigned(GL_PIXEL_MAP_I_TO_G, u32::MAX).unwrap().collect::<Vec<_>>(), [0, u32::MAX]);
+    }
+}
