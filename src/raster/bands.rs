@@ -3,6 +3,7 @@
 //! after the other. A pixel lies in one band, so it sees the same fragments in the same order in either case, and since a
 //! fragment depends on nothing but its primitive and its position, the result is the same to the last bit.
 
+use super::crew::Crew;
 use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
 use super::scene::Draw;
@@ -65,7 +66,7 @@ impl<P: Shader> Sink for Target<'_, '_, P> {
 pub(super) fn flush<P: Shader>(
     flush: &Flush<P>,
     framebuffer: &mut Framebuffer,
-    threads: usize,
+    (crew, threads): (&Crew, usize),
     bins: &mut Vec<Vec<u32>>,
     emitters: &mut Vec<Emitter>,
 ) -> u64 {
@@ -106,14 +107,7 @@ pub(super) fn flush<P: Shader>(
             flush.walk(bin.iter().copied(), band, emitter);
         }
     };
-    std::thread::scope(|scope| {
-        let mut emitters = emitters.iter_mut().take(workers);
-        let own = emitters.next();
-        for emitter in emitters {
-            scope.spawn(|| work(emitter));
-        }
-        own.map(work);
-    });
+    crew.share(emitters.iter_mut().take(workers), work);
     bands.iter().map(|band| band.samples).sum()
 }
 

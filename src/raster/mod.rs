@@ -4,6 +4,7 @@
 
 mod bands;
 mod coordinate;
+mod crew;
 mod emit;
 mod geometry;
 mod group;

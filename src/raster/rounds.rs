@@ -3,9 +3,10 @@
 //! order of the pieces. A pixel sees the same fragments in the same order as with one thread, so the result is the same to
 //! the last bit. A worker waits only where nothing may be done: pieces are set up so far ahead of the slowest band and no
 //! farther, and a band is one worker's at a time. A worker would rather walk what it has set up itself, which is in its
-//! cache. The threads live as long as the draw.
+//! cache.
 
 use super::bands::{self, Flush};
+use super::crew::Crew;
 use super::emit::Emitter;
 use super::geometry::Geometry;
 use super::plane::Recipe;
@@ -206,6 +207,7 @@ impl Drop for Leaving<'_> {
 pub(super) struct Round<'a, P> {
     pub draw: &'a Arc<Draw<P>>,
     pub recipe: &'a Recipe,
+    pub crew: &'a Crew,
     pub cut: usize,
 }
 
@@ -230,7 +232,7 @@ impl<P: Shader> Round<'_, P> {
         let board = Board::new(pieces.count(), places, bands.len());
         let office = Office { board: Mutex::new(board), news: Condvar::new() };
         let number = AtomicUsize::new(0);
-        let work = |own: &mut W::Own, emitter: &mut Emitter| {
+        let work = |(own, emitter): (&mut W::Own, &mut Emitter)| {
             let _leaving = Leaving(&office);
             let worker = number.fetch_add(1, Ordering::Relaxed);
             let mut board = office.board();
@@ -259,16 +261,7 @@ impl<P: Shader> Round<'_, P> {
                 }
             }
         };
-        std::thread::scope(|scope| {
-            let mut pairs = owns.iter_mut().zip(emitters.iter_mut());
-            let first = pairs.next();
-            for (own, emitter) in pairs {
-                scope.spawn(|| work(own, emitter));
-            }
-            if let Some((own, emitter)) = first {
-                work(own, emitter);
-            }
-        });
+        self.crew.share(owns.iter_mut().zip(emitters.iter_mut()), work);
         let passed = |band: &Mutex<Band<'_>>| {
             let mut band = band.lock().ok()?;
             // A draw without pieces walks over no band, but a clear that waits must not get lost.

@@ -3,6 +3,7 @@
 //! work of many small draws can be shared out to bands of rows and their workers.
 
 use super::bands::{self, Flush};
+use super::crew::Crew;
 use super::emit::Emitter;
 use super::geometry::{Context, Geometry, Span};
 use super::line::Segment;
@@ -51,6 +52,7 @@ pub struct Scene<P> {
     cut: usize,
     bound: usize,
     bins: Vec<Vec<u32>>,
+    crew: Arc<Crew>,
     emitters: Vec<Emitter>,
     parts: Vec<RwLock<Part>>,
     /// The thread that has the framebuffer, if one has it.
@@ -166,6 +168,7 @@ impl<P: Shader> Scene<P> {
             cut: cut.clamp(1, LANES),
             bound: if threads > 1 { LARGE } else { SMALL },
             bins: Vec::new(),
+            crew: Arc::new(Crew::new(threads)),
             emitters: Vec::new(),
             parts: Vec::new(),
             walker: None,
@@ -298,7 +301,7 @@ impl<P: Shader> Scene<P> {
         let workers = owns.len().min(pieces.count());
         let owns = owns.get_mut(..workers).unwrap_or_default();
         let Some(draw) = self.draws.last() else { return before };
-        let round = Round { draw, recipe: &self.recipe, cut: self.cut };
+        let round = Round { draw, recipe: &self.recipe, crew: &self.crew, cut: self.cut };
         before + round.run(pieces, owns, framebuffer, &mut self.parts, &mut self.emitters)
     }
 
@@ -327,7 +330,7 @@ impl<P: Shader> Scene<P> {
             return before;
         }
         let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut, level: self.recipe.level() };
-        let samples = bands::flush(&flush, framebuffer, threads, &mut self.bins, &mut self.emitters);
+        let samples = bands::flush(&flush, framebuffer, (&self.crew, threads), &mut self.bins, &mut self.emitters);
         self.geometry.clear();
         before + samples
     }
@@ -400,8 +403,9 @@ impl<P: Shader + 'static> Scene<P> {
     fn start_walker(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
         let (emitters, bins) = (take(&mut self.emitters), take(&mut self.bins));
         let kit = Kit { framebuffer: framebuffer.take(), emitters, bins, samples: 0, panic: None };
-        match Walker::start(Box::new(kit), &self.empties, Manner { cut: self.cut, level: self.recipe.level(), threads })
-        {
+        let crew = Arc::clone(&self.crew);
+        let manner = Manner { cut: self.cut, level: self.recipe.level(), crew, threads };
+        match Walker::start(Box::new(kit), &self.empties, manner) {
             Ok(walker) => self.walker = Some(walker),
             Err(kit) => {
                 *framebuffer = kit.framebuffer;

@@ -7,6 +7,7 @@
 //! first.
 
 use super::bands::{self, Flush};
+use super::crew::Crew;
 use super::emit::Emitter;
 use super::geometry::Geometry;
 use super::plane::Recipe;
@@ -52,13 +53,14 @@ impl<P> Load<P> {
 }
 
 /// How loads are walked.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(super) struct Manner {
     /// Fragments after which a batch is cut.
     pub cut: usize,
     /// What emitters work at.
     pub level: Level,
-    /// How many threads walk.
+    /// Who walks, and how many of them.
+    pub crew: Arc<Crew>,
     pub threads: usize,
 }
 
@@ -76,7 +78,7 @@ pub(super) struct Kit {
 
 impl Kit {
     /// Walks a load, unless one before it has come to a bad end.
-    fn walk<P: Shader>(&mut self, load: &mut Load<P>, manner: Manner) {
+    fn walk<P: Shader>(&mut self, load: &mut Load<P>, manner: &Manner) {
         if self.panic.is_some() {
             return;
         }
@@ -84,7 +86,7 @@ impl Kit {
         let walk = || {
             load.set_up();
             let flush = Flush { draws: &load.draws, geometry: &load.geometry, cut: manner.cut, level: manner.level };
-            bands::flush(&flush, framebuffer, manner.threads, bins, emitters)
+            bands::flush(&flush, framebuffer, (&manner.crew, manner.threads), bins, emitters)
         };
         match catch_unwind(AssertUnwindSafe(walk)) {
             Ok(samples) => self.samples += samples,
@@ -117,7 +119,7 @@ impl<P: Shader + 'static> Walker<P> {
         let (empties, back) = (Arc::clone(empties), Arc::clone(empties));
         let has = Arc::new(AtomicUsize::new(0));
         let left = Arc::clone(&has);
-        let work = move || Some(work(kits.recv().ok()?, &coming, &back, &left, manner));
+        let work = move || Some(work(kits.recv().ok()?, &coming, &back, &left, &manner));
         let thread = std::thread::Builder::new().name("fixedgl walker".into()).spawn(work);
         let Ok(thread) = thread else { return Err(kit) };
         let walker = Self { loads: Some(loads), empties, has, thread: Some(thread) };
@@ -133,7 +135,7 @@ fn work<P: Shader>(
     loads: &Receiver<Box<Load<P>>>,
     empties: &Empties,
     left: &AtomicUsize,
-    manner: Manner,
+    manner: &Manner,
 ) -> Box<Kit> {
     for mut load in loads {
         kit.walk(&mut load, manner);
