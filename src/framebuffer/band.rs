@@ -5,8 +5,10 @@ use super::coarse::{self, Coarse};
 use super::{Filling, Framebuffer};
 use std::mem::take;
 
-/// Rows `y0..y0 + rows` of a framebuffer.
+/// Rows `y0..y0 + rows` of a framebuffer. Each has cache lines to itself: it is written for every run of pixels, while other
+/// threads work on its neighbours.
 #[derive(Debug)]
+#[repr(align(128))]
 pub struct Band<'a> {
     /// Lowest row (window y).
     pub y0: u32,
