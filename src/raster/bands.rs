@@ -99,7 +99,7 @@ pub(super) fn flush<P: Shader>(
         }
         return bands.iter().map(|band| band.samples).sum();
     }
-    let queue = Mutex::new(bands.iter_mut().zip(bins.iter()));
+    let queue = Mutex::new(apart(bands.iter_mut().zip(bins.iter()).collect(), workers));
     let work = |emitter: &mut Emitter| {
         loop {
             let next = queue.lock().ok().and_then(|mut queue| queue.next());
@@ -108,7 +108,17 @@ pub(super) fn flush<P: Shader>(
         }
     };
     crew.share(emitters.iter_mut().take(workers), work);
+    drop(queue);
     bands.iter().map(|band| band.samples).sum()
+}
+
+/// Bands in an order in which those that are worked on at the same time are not neighbours: a processor that reads ahead of
+/// a band takes the next one's lines away from the one that writes them.
+fn apart<T>(bands: Vec<T>, workers: usize) -> impl Iterator<Item = T> {
+    let each = bands.len().div_ceil(workers.max(1)).max(1);
+    let mut bands: Vec<_> = bands.into_iter().enumerate().collect();
+    bands.sort_by_key(|(i, _)| i % each);
+    bands.into_iter().map(|(_, band)| band)
 }
 
 /// Files each primitive in the bands that it touches.
@@ -269,12 +279,21 @@ impl<P: Shader> Flush<'_, P> {
 
 #[cfg(test)]
 mod tests {
-    use super::Flush;
+    use super::{Flush, apart};
     use crate::batch::Level;
     use crate::raster::geometry::{Cover, Geometry};
     use crate::raster::state::Rect;
     use crate::raster::testing::Board;
     use std::slice::from_ref;
+
+    #[test]
+    fn bands_at_work_at_the_same_time_are_not_neighbours() {
+        let rows: [(usize, usize, &[usize]); 4] =
+            [(8, 2, &[0, 4, 1, 5, 2, 6, 3, 7]), (7, 3, &[0, 3, 6, 1, 4, 2, 5]), (3, 5, &[0, 1, 2]), (0, 1, &[])];
+        for (bands, workers, want) in rows {
+            assert_eq!(Vec::from_iter(apart((0..bands).collect(), workers)), want, "{bands} bands, {workers} workers");
+        }
+    }
 
     #[test]
     fn threads_are_worth_more_the_more_there_is_to_do() {

@@ -3,7 +3,14 @@
 //! its end 40 to 60. Without it, or where the pool cannot be had, they are started for each call.
 
 #[cfg(feature = "pool")]
-use std::sync::OnceLock;
+use std::sync::{
+    OnceLock,
+    atomic::{AtomicUsize, Ordering},
+};
+
+/// How often a thread that has done its part looks whether the others have, before it falls asleep.
+#[cfg(feature = "pool")]
+const AWAKE: u32 = 1000;
 
 /// Threads that help the one that calls.
 #[derive(Debug)]
@@ -38,9 +45,17 @@ impl Crew {
         let work = &work;
         #[cfg(feature = "pool")]
         if let Some(pool) = self.pool() {
+            let (mut begun, ended) = (0, &AtomicUsize::new(0));
             return pool.in_place_scope(|scope| {
-                owns.for_each(|own| scope.spawn(move |_| work(own)));
+                for own in owns {
+                    begun += 1;
+                    scope.spawn(move |_| {
+                        work(own);
+                        ended.fetch_add(1, Ordering::Release);
+                    });
+                }
                 work(first);
+                stay_awake(|| ended.load(Ordering::Acquire) == begun);
             });
         }
         std::thread::scope(|scope| {
@@ -58,6 +73,17 @@ impl Crew {
             named.num_threads(self.threads.saturating_sub(1).max(1)).build().ok()
         };
         self.pool.get_or_init(build).as_ref()
+    }
+}
+
+/// Waits for something that is about to happen, for some 20 to 40 us: a thread that falls asleep takes as long to wake.
+#[cfg(feature = "pool")]
+fn stay_awake(until: impl Fn() -> bool) {
+    for _ in 0..AWAKE {
+        if until() {
+            break;
+        }
+        std::hint::spin_loop();
     }
 }
 
