@@ -108,17 +108,17 @@ impl Along<f64> {
 
     /// The values with these offsets, without whole periods where they repeat; `inside`: the limits change nothing.
     #[inline(always)]
-    pub(super) fn limited<const N: usize>(&self, t: impl Fn(usize) -> f64, repeats: bool, inside: bool) -> [f32; N] {
+    pub(super) fn limited<const N: usize>(&self, t: &[f64; N], repeats: bool, inside: bool) -> [f32; N] {
         let Self { c, min, max, .. } = *self;
         let value = |i: usize| {
-            let v = c + t(i);
+            let v = c + t[i];
             let v = if v > min { v } else { min };
             if v < max { v } else { max }
         };
         let mut out = [0.0; N];
         if repeats && inside {
             for i in 0..N {
-                out[i] = without_periods(c + t(i), 1.0, 1.0) as f32;
+                out[i] = without_periods(c + t[i], 1.0, 1.0) as f32;
             }
         } else if repeats {
             for i in 0..N {
@@ -186,6 +186,12 @@ impl<const K: usize> Form<K> {
         }
     }
 
+    /// Whether they are divided by D in `f32`.
+    #[inline(always)]
+    pub(super) fn divides(&self) -> bool {
+        matches!(self, Self::Divided(..))
+    }
+
     /// The coordinates from x on; `rq` is 1 / D where they are divided by it in `f32`.
     #[inline(always)]
     pub(super) fn values<const N: usize>(&self, x: f32, rq: &[f32; N], repeats: &[bool; K]) -> [[f32; N]; K] {
@@ -208,9 +214,8 @@ impl<const K: usize> Form<K> {
             Self::Wide(planes, d, inside) => {
                 let rq: [f64; N] = reciprocals(*d, x);
                 for k in 0..K {
-                    let Along { at, x: step, .. } = planes[k];
-                    let t = |i: usize| (at + step * f64::from(x + IOTA[i])) * rq[i];
-                    out[k] = planes[k].limited(t, repeats[k], *inside);
+                    let t = planes[k].offsets(x, &rq);
+                    out[k] = planes[k].limited(&t, repeats[k], *inside);
                 }
             }
         }

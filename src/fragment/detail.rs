@@ -82,13 +82,22 @@ pub(super) enum Axis {
     Either,
 }
 
+/// How much is read of the second of two levels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Share {
+    /// So much everywhere.
+    Same(f32),
+    /// What rho tells, along this axis.
+    By(Axis),
+}
+
 /// What a part of a run reads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Reads {
     /// One level.
     One(u32),
-    /// This level and the next one; which axis tells how much of each.
-    Two(u32, Axis),
+    /// This level and the next one.
+    Two(u32, Share),
 }
 
 /// What is known of a span.
@@ -212,16 +221,16 @@ fn reads<const K: usize>(
 ) -> Option<Reads> {
     // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
     if is_even(unit)
-        && let Some((level, blended)) = levels.exactly(even_rho2(unit, levels))
+        && let Some((level, share)) = levels.exactly(even_rho2(unit, levels))
     {
-        return Some(if blended { Reads::Two(level, Axis::Either) } else { Reads::One(level) });
+        return Some(share.map_or(Reads::One(level), |share| Reads::Two(level, Share::Same(share))));
     }
     let (x, y) = (f64::from(x), f64::from(y));
     let last = x + f64::from(pixels.saturating_sub(1));
     let Limits { rho2, axis } = limits(unit, Span { x: [x, last], y }, &levels.scale)?;
     match levels.only(b, rho2) {
         Some(level) => Some(Reads::One(level)),
-        None => Some(Reads::Two(levels.first_of_two(rho2)?, axis)),
+        None => Some(Reads::Two(levels.first_of_two(rho2)?, Share::By(axis))),
     }
 }
 

@@ -33,25 +33,33 @@ const SHORT: usize = 16;
 
 /// What gives a run its colours.
 pub(super) trait Source {
-    /// Writes the pixels from x on, relative to the primitive's origin.
-    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]);
+    /// Whether what is there before is blended with.
+    const BLENDS: bool = false;
+
+    /// The pixels from x on, relative to the primitive's origin; `out` holds what is there before where that is blended with.
+    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]);
+
+    /// Writes the pixels from x on.
+    #[inline(always)]
+    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
+        let mut pixels = if Self::BLENDS { *to } else { [0; N] };
+        self.pixels(x, &mut pixels);
+        *to = pixels;
+    }
+
     /// The same where the mask is set.
-    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]);
+    #[inline(always)]
+    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
+        let mut pixels = if Self::BLENDS { *to } else { [0; N] };
+        self.pixels(x, &mut pixels);
+        write(false, mask, &pixels, to);
+    }
 }
 
 impl Source for Paint {
     #[inline(always)]
-    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let mut packed = [0; N];
-        self.pixels(x, &mut packed);
-        *to = packed;
-    }
-
-    #[inline(always)]
-    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
-        let mut packed = [0; N];
-        self.pixels(x, &mut packed);
-        write(false, mask, &packed, to);
+    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        Paint::pixels(self, x, out);
     }
 }
 

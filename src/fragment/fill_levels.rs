@@ -3,8 +3,7 @@
 //! texels and their mix follow each other block by block. Every number comes from the same expressions as in the stages of
 //! batches, so the bits are the same.
 
-use super::along::{Divisor, Form, divisor};
-use super::buffers::write;
+use super::along::{Divisor, Form};
 use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
 use super::fill_linear::{Environment, Level, Shown, divided};
@@ -36,13 +35,12 @@ impl<'a, const FORMAT: u8> Parts<2> for Between<'a, FORMAT> {
     #[inline(always)]
     fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::Source> {
         let Part { segment, run, unit, reads } = part;
-        let &Reads::Two(first, axis) = reads else { return None };
+        let &Reads::Two(first, share) = reads else { return None };
         let environment = Environment::of_run::<FORMAT, 2>(u, w, segment, run, unit, self.0)?;
-        let mixing = Mixing::new(unit, u.levels.get(self.0.unit as usize)?.as_ref()?, first, axis)?;
+        let mixing = Mixing::new(unit, u.levels.get(self.0.unit as usize)?.as_ref()?, first, share)?;
         let levels = [Level::new(self.1, first, unit)?, Level::new(self.1, first + 1, unit)?];
         let form = Form::new(unit, *run);
-        let divides = matches!(form, Form::Divided(..)) || environment.interpolates();
-        let d = (divides && !unit.planes.affine).then(|| divisor(&unit.planes.d, run.y as f32));
+        let d = environment.divisor(form.divides(), unit.planes, run);
         Some(TwoLevels { form, repeats: self.1.repeats, levels, mixing, environment, d })
     }
 }
@@ -68,8 +66,7 @@ pub(super) fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: 
     out
 }
 
-impl<const FORMAT: u8> TwoLevels<'_, FORMAT> {
-    /// The pixels from x on.
+impl<const FORMAT: u8> Source for TwoLevels<'_, FORMAT> {
     #[inline(always)]
     fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         let x = x as f32;
@@ -84,21 +81,5 @@ impl<const FORMAT: u8> TwoLevels<'_, FORMAT> {
         let mix = |c: usize| mixed(&near[c], &far[c], &fractions);
         let mut texels = [mix(0), mix(1), mix(2), if FORMAT == RGB { [1.0; N] } else { mix(3) }];
         self.environment.pixels::<N, false>(&mut texels, x, &rw, self.d.is_none(), out);
-    }
-}
-
-impl<const FORMAT: u8> Source for TwoLevels<'_, FORMAT> {
-    #[inline(always)]
-    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let mut pixels = [0; N];
-        self.pixels(x, &mut pixels);
-        *to = pixels;
-    }
-
-    #[inline(always)]
-    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
-        let mut pixels = [0; N];
-        self.pixels(x, &mut pixels);
-        write(false, mask, &pixels, to);
     }
 }

@@ -6,7 +6,6 @@
 use super::along::{Along, Divisor, Form, Run, divisor, range};
 use super::batch::Segment;
 use super::blend::pair;
-use super::buffers::write;
 use super::coordinates::Unit;
 use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
@@ -201,8 +200,14 @@ impl Environment {
         (!wide).then_some(environment)
     }
 
+    /// D along a run, if coordinates (`divides`) or what is interpolated here are divided by it in `f32`.
+    #[inline(always)]
+    pub(super) fn divisor(&self, divides: bool, planes: &Planes, run: &Run) -> Option<Divisor<f32>> {
+        ((divides || self.interpolates()) && !planes.affine).then(|| divisor(&planes.d, run.y as f32))
+    }
+
     /// Whether it reads planes that are interpolated.
-    pub(super) fn interpolates(&self) -> bool {
+    fn interpolates(&self) -> bool {
         self.color.is_some() || matches!(self.alpha, Primary::Product(_) | Primary::Stays(_))
     }
 
@@ -326,12 +331,16 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: boo
         let environment = Environment::of_run::<FORMAT, K>(u, w, segment, run, unit, shown)?;
         let level = Level::new(image, level, unit)?;
         let form = Form::new(unit, *run);
-        let divides = matches!(form, Form::Divided(..)) || environment.interpolates();
-        let d = (divides && !unit.planes.affine).then(|| divisor(&unit.planes.d, run.y as f32));
+        let d = environment.divisor(form.divides(), unit.planes, run);
         Some(Self { form, repeats: image.repeats, level, environment, d })
     }
+}
 
-    /// The pixels from x on; what is there before is blended with.
+impl<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> Source
+    for Linear<'_, K, ROWS, FORMAT, BLENDED>
+{
+    const BLENDS: bool = BLENDED;
+
     #[inline(always)]
     fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         let x = x as f32;
@@ -343,23 +352,5 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: boo
         let mut texels = [[0.0; N]; 4];
         self.level.texels::<ROWS, FORMAT, N>(&coordinates, INV_255, &mut texels);
         self.environment.pixels::<N, BLENDED>(&mut texels, x, &rw, self.d.is_none(), out);
-    }
-}
-
-impl<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> Source
-    for Linear<'_, K, ROWS, FORMAT, BLENDED>
-{
-    #[inline(always)]
-    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let mut pixels = if BLENDED { *to } else { [0; N] };
-        self.pixels(x, &mut pixels);
-        *to = pixels;
-    }
-
-    #[inline(always)]
-    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
-        let mut pixels = if BLENDED { *to } else { [0; N] };
-        self.pixels(x, &mut pixels);
-        write(false, mask, &pixels, to);
     }
 }

@@ -5,7 +5,6 @@
 //! the framebuffer. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
 use super::along::{Form, Run, range};
-use super::buffers::write;
 use super::coordinates::Unit;
 use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
@@ -98,8 +97,25 @@ impl<'a> Texels<'a> {
         }
         at
     }
+
+    /// The pixels of the texels at these places.
+    #[inline(always)]
+    fn found<const N: usize>(&self, at: &[u32; N], out: &mut [u32; N]) {
+        // As copies: the compiler cannot tell that what is written is not read from here.
+        let (texels, or) = (self.texels, self.or);
+        for i in 0..N {
+            let Some(&texel) = texels.get(at[i] as usize) else { break };
+            out[i] = texel | or;
+        }
+    }
 }
+
 impl Source for Texels<'_> {
+    #[inline(always)]
+    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+        self.found(&self.places::<N>(x), out);
+    }
+
     #[inline(always)]
     fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
         let at = self.places::<N>(x);
@@ -112,23 +128,6 @@ impl Source for Texels<'_> {
             }
             return;
         }
-        // As copies: the compiler cannot tell that what is written is not read from here.
-        let (texels, or) = (self.texels, self.or);
-        for i in 0..N {
-            let Some(&texel) = texels.get(at[i] as usize) else { break };
-            to[i] = texel | or;
-        }
-    }
-
-    #[inline(always)]
-    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
-        let at = self.places::<N>(x);
-        let (texels, or) = (self.texels, self.or);
-        let mut found = [0; N];
-        for i in 0..N {
-            let Some(&texel) = texels.get(at[i] as usize) else { break };
-            found[i] = texel | or;
-        }
-        write(false, mask, &found, to);
+        self.found(&at, to);
     }
 }

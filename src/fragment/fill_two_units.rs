@@ -3,8 +3,7 @@
 //! first one gives, as light maps are. Every number comes from the same expressions as in the stages of batches, so the bits
 //! are the same.
 
-use super::along::{Along, Divisor, Form, divisor};
-use super::buffers::write;
+use super::along::{Along, Divisor, Form};
 use super::coordinates::unit;
 use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
@@ -54,9 +53,9 @@ impl<'a> Parts<2> for TwoImages<'a> {
         let mut environment = Environment::of_run::<RGB, 2>(u, w, &part.segment, &part.run, &part.unit, self.shown)?;
         let (level, between) = match part.reads {
             Reads::One(level) => (level, None),
-            Reads::Two(level, axis) => {
+            Reads::Two(level, share) => {
                 let levels = u.levels.get(self.shown.unit as usize)?.as_ref()?;
-                let mixing = Mixing::new(&part.unit, levels, level, axis)?;
+                let mixing = Mixing::new(&part.unit, levels, level, share)?;
                 (level, Some((Level::new(self.first, level + 1, &part.unit)?, mixing)))
             }
         };
@@ -64,9 +63,8 @@ impl<'a> Parts<2> for TwoImages<'a> {
         let last_unit = unit::<2>(w, &part.segment, slots, self.last.unit)?;
         let first = Filtered::new(Form::new(&part.unit, part.run), self.first, level, &part.unit)?;
         let last = Filtered::new(Form::new(&last_unit, part.run), &self.last.image, 0, &last_unit)?;
-        let divides = |form: &Form<2>| matches!(form, Form::Divided(..));
-        let divides = divides(&first.form) || divides(&last.form) || environment.interpolates();
-        let d = (divides && !part.unit.planes.affine).then(|| divisor(&part.unit.planes.d, part.run.y as f32));
+        let divides = first.form.divides() || last.form.divides();
+        let d = environment.divisor(divides, part.unit.planes, &part.run);
         let color = environment.color.take();
         Some(TwoUnits { first, between, color, last, environment, d })
     }
@@ -115,8 +113,7 @@ fn times<const N: usize>(channel: &[f32; N], by: &[f32; N]) -> [f32; N] {
     out
 }
 
-impl TwoUnits<'_> {
-    /// The pixels from x on.
+impl Source for TwoUnits<'_> {
     #[inline(always)]
     fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         let x = x as f32;
@@ -150,21 +147,5 @@ impl TwoUnits<'_> {
             texels[c] = times(&texels[c], &light[c]);
         }
         self.environment.pixels::<N, false>(&mut texels, x, &rw, even, out);
-    }
-}
-
-impl Source for TwoUnits<'_> {
-    #[inline(always)]
-    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let mut pixels = [0; N];
-        self.pixels(x, &mut pixels);
-        *to = pixels;
-    }
-
-    #[inline(always)]
-    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
-        let mut pixels = [0; N];
-        self.pixels(x, &mut pixels);
-        write(false, mask, &pixels, to);
     }
 }

@@ -4,8 +4,8 @@
 //! from the same expressions as in the stages of batches, so the bits are the same.
 
 use super::along::Form;
-use super::coordinates::{Unit, is_even};
-use super::detail::Axis;
+use super::coordinates::Unit;
+use super::detail::{Axis, Share};
 use crate::num::{log2_f32, max_f32};
 use crate::texture::lod::Levels;
 
@@ -52,27 +52,23 @@ pub(super) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> 
 }
 
 impl<const K: usize> Mixing<K> {
-    /// For a part of a run that reads `level` and the next one, and of which rho is greatest along `axis`.
+    /// For a part of a run that reads `level` and such a share of the next one.
     #[inline(always)]
-    pub(super) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, axis: Axis) -> Option<Self> {
+    pub(super) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, share: Share) -> Option<Self> {
         let (mut x, mut y) = (Slope { n: [0.0; K], d: unit.divisor.x }, Slope { n: [0.0; K], d: unit.divisor.y });
         let mut scale = [0.0; K];
         for k in 0..K {
             (x.n[k], y.n[k]) = (unit.coords[k].nx, unit.coords[k].ny);
             scale[k] = levels.scale[k] as f32;
         }
-        let lambda = match axis {
-            Axis::X => Lambda::One(x),
-            Axis::Y => Lambda::One(y),
-            Axis::Either => Lambda::Two([x, y]),
+        let lambda = match share {
+            Share::Same(share) => Lambda::Same(share),
+            Share::By(_) if unit.planes.affine && !unit.wide => return None,
+            Share::By(Axis::X) => Lambda::One(x),
+            Share::By(Axis::Y) => Lambda::One(y),
+            Share::By(Axis::Either) => Lambda::Two([x, y]),
         };
-        let mut mixing = Self { lambda, scale, bias: levels.bias, level: level as f32 };
-        if is_even(unit) {
-            mixing.lambda = Lambda::Same(mixing.fraction(even_rho2(unit, levels)));
-        } else if unit.planes.affine && !unit.wide {
-            return None;
-        }
-        Some(mixing)
+        Some(Self { lambda, scale, bias: levels.bias, level: level as f32 })
     }
 
     /// Adds what a derivative of coordinate k contributes to the square of rho.
@@ -130,7 +126,7 @@ impl<const K: usize> Mixing<K> {
                 let mut t = [[0.0; N]; K];
                 for k in 0..K {
                     t[k] = planes[k].offsets(x, &rq);
-                    out[k] = planes[k].limited(|i| t[k][i], repeats[k], *inside);
+                    out[k] = planes[k].limited(&t[k], repeats[k], *inside);
                 }
                 match lambda {
                     Lambda::One(slope) => rho2 = self.wide(slope, &t, &rq),

@@ -215,19 +215,19 @@ impl Levels {
         Self { scale, bias: u.bias, ranges, pairs, blends }
     }
 
-    /// What is read with one square of rho, as fragments compute it: a level, and whether it is blended with the next one.
-    /// `None` where that is not so simple.
+    /// What is read with one square of rho, as fragments compute it: a level, and how much of the next one if the two are
+    /// blended. `None` where that is not so simple.
     #[must_use]
-    pub fn exactly(&self, rho2: f32) -> Option<(u32, bool)> {
+    pub fn exactly(&self, rho2: f32) -> Option<(u32, Option<f32>)> {
         let lambda = 0.5 * log2_f32(rho2) + self.bias;
         if !self.blends || !lambda.is_finite() {
             return None;
         }
         if lambda <= 0.0 {
-            return self.ranges.first().is_some_and(|[_, end]| *end > 0.0).then_some((0, false));
+            return self.ranges.first().is_some_and(|[_, end]| *end > 0.0).then_some((0, None));
         }
         let level = lambda as usize;
-        self.pairs.get(level).is_some_and(|[from, to]| from < to).then_some((level as u32, true))
+        self.pairs.get(level).is_some_and(|[from, to]| from < to).then_some((level as u32, Some(lambda - level as f32)))
     }
 
     /// The first of the two levels that are blended with squares of rho in these limits.
