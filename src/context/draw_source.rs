@@ -10,14 +10,13 @@ use crate::vertex::cache::IndexList;
 use crate::vertex::lane::{Lane, Parts, SourceDraw};
 use crate::vertex::pipe::Pipe;
 use crate::vertex::{Order, Source};
-use std::sync::Arc;
 
 /// The parts of the engine that a draw works with; the rest may be where its vertices are.
 pub(crate) struct Drawing<'a> {
     pub(crate) pipe: &'a mut Pipe,
     /// The lanes of the second thread and those after it.
     pub(crate) lanes: &'a mut Vec<Lane>,
-    pub(crate) scene: &'a mut Scene<Arc<Program>>,
+    pub(crate) scene: &'a mut Scene<Program>,
     pub(crate) framebuffer: &'a mut Framebuffer,
     pub(crate) threads: usize,
     /// Counts fragments that have passed.

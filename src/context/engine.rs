@@ -62,7 +62,7 @@ pub(crate) struct Engine {
     /// What the thread that walks needs for pieces of a long Begin/End.
     pub(crate) pieces: Pieces,
     /// Draws that wait for a flush.
-    pub(crate) scene: Scene<Arc<Program>>,
+    pub(crate) scene: Scene<Program>,
     /// The fragment program of the present state.
     pub(crate) program: Option<Arc<Program>>,
     /// Whether the scene has a draw of the present state.

@@ -43,6 +43,9 @@ pub struct Ahead {
     reach: [u32; MAX_TEXTURE_UNITS],
     /// Bit u: levels of unit u are blended here, and more will be.
     blended: u32,
+    /// What a stage for whole runs was told of the next pixels, so that it need not be asked again by the one that does
+    /// them: how many are left of the run, what they read, and how many do.
+    told: Option<(u32, Reads, u32)>,
 }
 
 impl Ahead {
@@ -52,6 +55,7 @@ impl Ahead {
         self.left = len;
         self.levels = [(0, u32::MAX); MAX_TEXTURE_UNITS];
         self.blended = 0;
+        self.told = None;
     }
 
     /// So many pixels are done.
@@ -197,11 +201,17 @@ pub(super) fn part<const K: usize>(
     (x, y, left): (i32, i32, u32),
     levels: &Levels,
 ) -> Option<(Reads, u32)> {
+    if let Some((at, reads, pixels)) = ahead.told
+        && at == left
+    {
+        return Some((reads, pixels));
+    }
     let reach = ahead.reach.get_mut(index as usize)?;
     loop {
         let pixels = (*reach).max(LANES as u32).min(left);
         if let Some(reads) = reads(b, unit, (x, y, pixels), levels) {
             *reach = (2 * *reach).clamp(LANES as u32, FARTHEST);
+            ahead.told = Some((left, reads, pixels));
             return Some((reads, pixels));
         }
         *reach = pixels / 2;

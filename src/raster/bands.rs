@@ -165,7 +165,7 @@ impl<P: Shader> Flush<'_, P> {
         to.begin(band, self.cut);
         let Some(first) = self.draws.first() else { return };
         let (planes, pool) = (&self.geometry.planes[..], self.geometry.pool.all());
-        let mut sink = Target { program: &first.program, planes, pool, band };
+        let mut sink = Target { program: &*first.program, planes, pool, band };
         let mut current = u32::MAX;
         let mut draw = first;
         for i in prims {

@@ -26,7 +26,7 @@ use std::sync::{Arc, RwLock};
 #[derive(Debug)]
 pub struct Draw<P> {
     /// What happens to fragments.
-    pub program: P,
+    pub program: Arc<P>,
     /// How primitives become fragments.
     pub raster: RasterState,
 }

@@ -4,7 +4,6 @@ use crate::fragment::batch::{FragmentBatch, Segment as Run};
 use crate::fragment::planes::{Layout, PlanePool, Planes};
 use crate::fragment::program::{ORDINARY, Program};
 use crate::framebuffer::Band;
-use std::sync::Arc;
 
 /// What a draw does with its fragments.
 pub trait Shader: Send + Sync {
@@ -34,47 +33,6 @@ pub trait Shader: Send + Sync {
         pool: PlanePool<'_>,
         band: &mut Band<'_>,
     ) -> u32;
-}
-
-impl<T: Shader> Shader for Arc<T> {
-    fn layout(&self) -> &Layout {
-        (**self).layout()
-    }
-
-    fn ordered(&self) -> bool {
-        (**self).ordered()
-    }
-
-    fn coverage(&self) -> bool {
-        (**self).coverage()
-    }
-
-    fn draws_nothing(&self) -> bool {
-        (**self).draws_nothing()
-    }
-
-    fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {
-        (**self).run(batch, planes, pool, band);
-    }
-
-    fn weight(&self, planes: &Planes, pool: PlanePool<'_>) -> u64 {
-        (**self).weight(planes, pool)
-    }
-
-    fn row_from(&self) -> u32 {
-        (**self).row_from()
-    }
-
-    fn row(
-        &self,
-        batch: &mut FragmentBatch,
-        run: Run,
-        planes: &[Planes],
-        pool: PlanePool<'_>,
-        band: &mut Band<'_>,
-    ) -> u32 {
-        (**self).row(batch, run, planes, pool, band)
-    }
 }
 
 impl Shader for Program {

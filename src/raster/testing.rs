@@ -145,7 +145,7 @@ impl Board {
         change(&mut state);
         let raster = RasterState::build(&state, side, side, 24);
         let note = layout.count > 0;
-        let draw = Arc::new(Draw { program: Counter { layout, note, ..Counter::default() }, raster });
+        let draw = Arc::new(Draw { program: Arc::new(Counter { layout, note, ..Counter::default() }), raster });
         let mut scene = Scene::new(threads, cut);
         scene.begin_draw(draw.clone());
         let framebuffer = Framebuffer::new(side, side, FramebufferFormat::default()).unwrap();
