@@ -47,7 +47,10 @@ fn strip() -> Vec<u32> {
 }
 
 fn context(threads: usize) -> Context {
-    let mut gl = Context::with_config(SIZE, SIZE, Config { threads, ..Config::default() });
+    prepared(Context::with_config(SIZE, SIZE, Config { threads, ..Config::default() }))
+}
+
+fn prepared(mut gl: Context) -> Context {
     let texels: Vec<u8> = (0..4 * 64u32).map(|i| (i * 37 % 251) as u8).collect();
     gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA8, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
@@ -132,6 +135,43 @@ fn a_mesh_is_the_same_however_it_is_issued() {
     let often = list.repeat(5);
     for mode in [GL_TRIANGLES, GL_QUADS] {
         same(|gl| issue(gl, mode, &often, |_, _| {}));
+    }
+}
+
+#[test]
+fn triangles_in_step_with_their_batches_are_as_others() {
+    let list = triangles().repeat(2);
+    let drawn = |batch_cut: usize, faces: GLenum| {
+        let mut gl = prepared(Context::with_config(SIZE, SIZE, Config { threads: 1, batch_cut, ..Config::default() }));
+        gl.set_counting(true);
+        gl.cull_face(faces);
+        let (mut rest, mut piece) = (&list[..], 0);
+        while !rest.is_empty() {
+            piece += 1;
+            // Whole triangles and others, few and many, with something else between.
+            let (now, later) = rest.split_at((piece * 37 % 331).min(rest.len()));
+            match piece % 7 {
+                0 => issue(&mut gl, GL_LINE_STRIP, now, |_, _| {}),
+                1 => issue(&mut gl, GL_TRIANGLES, &now[..now.len() / 3 * 3], |_, _| {}),
+                2 => {
+                    let places: Vec<_> =
+                        now.iter().map(|at| corner(*at as usize % SIDE, *at as usize / SIDE).0).collect();
+                    gl.vertex_pointer(3, GL_FLOAT, 0, places.as_flattened());
+                    gl.enable_client_state(GL_VERTEX_ARRAY);
+                    gl.draw_arrays(GL_TRIANGLES, 1, places.len() as i32 - 1);
+                }
+                _ => issue(&mut gl, GL_TRIANGLES, now, |_, _| {}),
+            }
+            rest = later;
+        }
+        let c = gl.counters();
+        (gl.pixels(), [c.vertices, c.primitives, c.clipped, c.culled, c.outside])
+    };
+    for faces in [GL_BACK, GL_FRONT] {
+        let want = drawn(64, faces);
+        for cut in [1, 48, 63] {
+            assert!(drawn(cut, faces) == want, "batches of {cut}");
+        }
     }
 }
 

@@ -11,10 +11,10 @@ use crate::batch::LANES;
 use crate::enums::*;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::current::Current;
-use crate::vertex::Order;
 use crate::vertex::batch::{VertexBatch, needs};
 use crate::vertex::store::Store;
 use crate::vertex::weld::Welded;
+use crate::vertex::{Order, in_step};
 
 /// Vertices from which on a pair becomes a run; shorter ones share batches with others as they are.
 const LEAST: usize = 48;
@@ -42,6 +42,8 @@ struct Collector {
     batch: Box<VertexBatch>,
     current: Box<Current>,
     vertices: Store,
+    /// Vertices that come at a time.
+    each: usize,
     given: u32,
     q_units: u32,
     count: usize,
@@ -55,7 +57,7 @@ impl Collector {
             Op::Vertex { position } => {
                 self.count += 1;
                 self.batch.push(position, current, self.given);
-                return if self.batch.n == LANES { self.store() } else { Some(()) };
+                return if self.batch.n == self.each { self.store() } else { Some(()) };
             }
             Op::Color { color } => {
                 current.color = color;
@@ -101,7 +103,7 @@ impl Collector {
 
     fn store(&mut self) -> Option<()> {
         if self.vertices.is_empty() {
-            self.vertices.clear(self.given & !INDEX);
+            self.vertices.clear(self.given & !INDEX, self.each);
         }
         let stored = self.vertices.push(&mut self.batch);
         self.batch.clear();
@@ -119,6 +121,7 @@ impl Run {
             return None;
         }
         let mut c = collector();
+        c.each = in_step::block(*mode);
         for command in rest.iter().take(inner) {
             let Command::Vertex(op) = command else { return None };
             c.take(op)?;
@@ -143,6 +146,7 @@ impl Run {
             batch: VertexBatch::new(),
             current: Box::default(),
             vertices: Store::default(),
+            each: LANES,
             given: 0,
             q_units: 0,
             count: 0,
@@ -184,7 +188,7 @@ impl Run {
         let given = |bit: u32| self.given & bit != 0;
         each(Op::glBegin { mode: self.mode });
         let mut batch = VertexBatch::new();
-        for block in 0..self.vertices.len().div_ceil(LANES) {
+        for block in 0..self.vertices.blocks() {
             self.vertices.load(block, &mut batch);
             for i in 0..batch.n {
                 self.attributes(&batch.current(i), &mut each);

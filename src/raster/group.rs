@@ -3,21 +3,20 @@
 //! large ones (above 16 by 16) are then set up alone. What waits is filed before anything else is, so that the order of
 //! issue is kept.
 //!
-//! The slots of a corner stand in quads: those of slots 0 to 3, 4 to 7 and so on, and one of the last four slots where
-//! their number is no multiple of 4 (then some are in two quads).
+//! Corners come one by one, their slots in quads: those of slots 0 to 3, 4 to 7 and so on, and one of the last four slots
+//! where their number is no multiple of 4 (then some are in two quads). They are turned into [`Corners`], unless somebody
+//! has them in that form already.
 
 use super::VertexRef;
+use super::corners::{Corners, MOST_SLOTS};
 use super::geometry::{Context, Cover, Geometry, Prim, index};
 use super::group_planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
 use super::masks::Ints;
 use super::rows::{Ends, ROWS, Rows};
 use super::setup::{Triangle, clip_mask};
 use super::state::{Mode, Rect};
-use super::vertex::{Vertex, Vertices, twice_area};
+use super::vertex::{Vertices, twice_area};
 use crate::fragment::planes::{GROUP, Linear, Planes};
-
-/// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.
-pub(super) const MOST_SLOTS: usize = 40;
 
 /// Triangles on their way to being filed.
 #[derive(Clone, Debug)]
@@ -27,8 +26,8 @@ pub(super) struct Group {
     pub quads: [[[[f32; 4]; GROUP]; 3]; MOST_SLOTS / 4],
     /// w, window x, y and z of each corner, in the order of a vertex.
     pub place: [[[f64; 4]; GROUP]; 3],
-    /// Snapped x and y of each corner.
-    pub snapped: [[Ints; 2]; 3],
+    /// The same, and the snapped positions, a triangle a lane.
+    pub corners: Corners,
     /// The first pixel of each bounding box, and the one after the last.
     pub first: [Ints; 2],
     pub last: [Ints; 2],
@@ -56,7 +55,7 @@ impl Default for Group {
         Self {
             quads: [[[[0.0; 4]; GROUP]; 3]; MOST_SLOTS / 4],
             place: [[[0.0; 4]; GROUP]; 3],
-            snapped: [[[0; GROUP]; 2]; 3],
+            corners: Corners::default(),
             first: [[0; GROUP]; 2],
             last: [[0; GROUP]; 2],
             kind: [NOTHING; GROUP],
@@ -117,7 +116,7 @@ impl Group {
     fn put(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], count: usize) {
         let lanes = self.count..GROUP;
         for corner in 0..3 {
-            let (place, [xs, ys]) = (&mut self.place[corner], &mut self.snapped[corner]);
+            let (place, [xs, ys]) = (&mut self.place[corner], &mut self.corners.snapped[corner]);
             for (ids, lane) in triangles.iter().zip(lanes.clone()) {
                 let Some(v) = vertices.head.get(ids[corner] as usize) else { continue };
                 let [x, y, z] = v.window;
@@ -154,27 +153,6 @@ impl Group {
             }
         }
     }
-
-    /// The slots of a corner, in order.
-    fn slots(&self, lane: usize, corner: usize, count: usize, slots: &mut [f32; MOST_SLOTS]) {
-        let quads = self.quads.iter().map(|quad| quad[corner % 3][lane % GROUP]);
-        for (to, quad) in slots.as_chunks_mut::<4>().0.iter_mut().zip(quads).take(count.div_ceil(4)) {
-            *to = quad;
-        }
-        // The quad behind the whole ones is of the last four slots.
-        let rest = count % 4;
-        if let (true, Some(quad), Some(to)) = (count > 4, self.quads.get(count / 4), slots.get_mut(count - rest..count))
-        {
-            to.copy_from_slice(&quad[corner % 3][lane % GROUP][4 - rest..]);
-        }
-    }
-
-    /// The vertex at a corner, as far as planes depend on it.
-    fn vertex(&self, lane: usize, corner: usize) -> Vertex {
-        let [w, x, y, z] = self.place[corner][lane];
-        let snapped = [0, 1].map(|k: usize| self.snapped[corner][k][lane]);
-        Vertex { clip: [0.0, 0.0, 0.0, w], window: [x, y, z], snapped, ..Vertex::default() }
-    }
 }
 
 impl Geometry {
@@ -195,7 +173,7 @@ impl Geometry {
             let [x, y, z] = v.head.window;
             group.place[corner][lane] = [v.head.clip[3], x, y, z];
             for k in 0..2 {
-                group.snapped[corner][k][lane] = v.head.snapped[k];
+                group.corners.snapped[corner][k][lane] = v.head.snapped[k];
             }
         }
         group.count += 1;
@@ -206,9 +184,9 @@ impl Geometry {
     }
 
     /// Whether triangles may wait [many at a time](Self::wait_all): where each corner has its own colours.
-    pub(super) fn takes_many(cx: &Context, vertices: &Vertices) -> bool {
+    pub(super) fn takes_many(cx: &Context, stride: usize) -> bool {
         let layout = cx.recipe.layout();
-        cx.recipe.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= vertices.stride
+        cx.recipe.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= stride
     }
 
     /// Lets filled triangles wait, whose corners are some of many vertices.
@@ -232,8 +210,21 @@ impl Geometry {
         }
     }
 
+    /// Files triangles whose corners `fill` puts in place, a triangle a lane, in all lanes.
+    pub(super) fn file_corners(&mut self, cx: &Context, fill: impl FnOnce(&mut Corners)) {
+        self.settle(cx);
+        fill(&mut self.group.corners);
+        self.file_lanes(cx, GROUP);
+    }
+
     fn file_group(&mut self, cx: &Context) {
         let count = std::mem::take(&mut self.group.count).min(GROUP);
+        cx.recipe.turn(&mut self.group);
+        self.file_lanes(cx, count);
+    }
+
+    /// Files the triangles of so many lanes.
+    fn file_lanes(&mut self, cx: &Context, count: usize) {
         let rs = cx.rs;
         let offset = rs.offset[Mode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
         let (ccw, cw) = if rs.ccw_is_front { (0, 1) } else { (1, 0) };
@@ -313,11 +304,9 @@ impl Geometry {
     /// that is seen, and of the provoking vertex.
     fn with_lane<T>(&mut self, cx: &Context, lane: usize, run: impl FnOnce(&mut Self, &Triangle, i64) -> T) -> T {
         let count = cx.recipe.layout().count;
-        let vertex = [0, 1, 2].map(|corner| self.group.vertex(lane, corner));
-        let mut slots = [[0.0; MOST_SLOTS]; 3];
-        for (corner, slots) in slots.iter_mut().enumerate() {
-            self.group.slots(lane, corner, count, slots);
-        }
+        let corners = &self.group.corners;
+        let vertex = [0, 1, 2].map(|corner| corners.vertex(lane, corner));
+        let slots = [0, 1, 2].map(|corner| corners.slots(lane, corner, count));
         let v = [0, 1, 2].map(|i: usize| VertexRef { head: &vertex[i], slots: slots[i].get(..count).unwrap_or(&[]) });
         let t = Triangle { v, provoking: v[2].slots, edges: [true; 3] };
         run(self, &t, twice_area(&v.map(|v| v.head.snapped)))
@@ -334,7 +323,7 @@ mod tests {
     use crate::state::State;
 
     /// Colours, fog, a unit of two coordinates and a cube map; or only the first of that.
-    fn layouts() -> [Layout; 4] {
+    fn layouts() -> [Layout; 5] {
         let plane = UnitSlots { base: 8, count: 2, has_q: false, period: [1, 2, 0], size: [64; 3], cube: false };
         let cube = UnitSlots { base: 10, count: 3, has_q: false, period: [0; 3], size: [256; 3], cube: true };
         let mut all = Layout { color: Some(0), secondary: Some(4), fog: Some(7), ..Layout::default() };
@@ -343,7 +332,9 @@ mod tests {
         let mut unit = Layout { count: 2, stride: 2, ..Layout::default() };
         unit.units[1] = Some(UnitSlots { base: 0, period: [1; 3], ..plane });
         let color = Layout { color: Some(0), count: 4, stride: 4, ..Layout::default() };
-        [all, unit, color, Layout { count: 1, stride: 1, ..Layout::default() }]
+        // Some of the colour's slots come twice, behind the fog coordinate too.
+        let fog = Layout { fog: Some(4), count: 5, stride: 5, ..color.clone() };
+        [all, unit, color, fog, Layout { count: 1, stride: 1, ..Layout::default() }]
     }
 
     /// A small triangle: sometimes in perspective, sometimes a sliver, sometimes with values that are odd.
@@ -372,8 +363,8 @@ mod tests {
     fn a_group_gives_the_bits_of_single_triangles() {
         let mut random = Random(77);
         let mut fragments = 0;
-        for round in 0..48 {
-            let layout = layouts()[round % 4].clone();
+        for round in 0..60 {
+            let layout = layouts()[round % 5].clone();
             let triangles: Vec<_> = (0..150).map(|_| triangle(&mut random, layout.stride)).collect();
             let change = |state: &mut State| {
                 state.lighting.shade_model = if round & 4 != 0 { GL_FLAT } else { GL_SMOOTH };
@@ -397,7 +388,7 @@ mod tests {
                 } else {
                     board.scene.group_nothing();
                 }
-                let builder = board.scene.builder().filter(|builder| many && builder.takes_many(&list));
+                let builder = board.scene.builder().filter(|builder| many && builder.takes_many(list.stride));
                 if let Some(mut builder) = builder {
                     ids.chunks(11).for_each(|ids| builder.triangles(&list, ids));
                 } else {

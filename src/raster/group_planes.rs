@@ -6,7 +6,8 @@
 //! [`weights`]: super::weights
 
 use super::coordinate::{LIMIT, whole_periods};
-use super::group::{Group, quad_of};
+use super::corners::Corners;
+use super::group::Group;
 use super::masks::masks;
 use super::rows::{ROWS, rows};
 use super::setup::LIMIT as LIMIT_OF_POSITIONS;
@@ -106,13 +107,28 @@ type Places = [[Floats; 4]; 3];
 /// Corner by corner and triangle by triangle into lanes. All four are moved at once: a loop over some of them would be
 /// scalar code.
 #[inline(always)]
-fn lanes<T: Copy>(quads: &[[[T; 4]; GROUP]; 3], out: &mut [[[T; GROUP]; 4]; 3]) {
+fn lanes(quads: &[[[f64; 4]; GROUP]; 3], out: &mut Places) {
     for (quads, [a, b, c, d]) in quads.iter().zip(out) {
         for i in 0..GROUP {
             [a[i], b[i], c[i], d[i]] = quads[i];
         }
     }
 }
+
+/// The same for four slots.
+#[inline(always)]
+fn slot_lanes(quads: &[[[f32; 4]; GROUP]; 3], out: &mut [[[f32; GROUP]; 3]; 4]) {
+    let [a, b, c, d] = out;
+    for (corner, quads) in quads.iter().enumerate() {
+        let (a, b, c, d) = (&mut a[corner], &mut b[corner], &mut c[corner], &mut d[corner]);
+        for i in 0..GROUP {
+            [a[i], b[i], c[i], d[i]] = quads[i];
+        }
+    }
+}
+
+/// Turns the corners of so many slots into lanes.
+pub(super) type TurnFn = unsafe fn(&mut Group, usize);
 
 /// Sets up a group: masks, and planes in one place a slot.
 pub(super) type GroupFn = unsafe fn(&mut Group, &Rules, &View, &mut [PlaneGroup]);
@@ -130,7 +146,7 @@ struct Members {
 /// Bounding boxes, areas, and what becomes of each triangle.
 #[inline(always)]
 fn sort(group: &mut Group, view: &View) -> Members {
-    let Group { snapped: p, first, last, area, kind, cut, .. } = group;
+    let Group { corners: Corners { snapped: p, .. }, first, last, area, kind, cut, .. } = group;
     for i in 0..GROUP {
         // What is not within the limit comes to nothing: three times the same corner.
         let mut within = true;
@@ -179,8 +195,8 @@ fn sort(group: &mut Group, view: &View) -> Members {
 
 /// The pixels that positions are relative to.
 #[inline(always)]
-fn origins(group: &mut Group, place: &Places) {
-    let Group { snapped: p, first, origin, .. } = group;
+fn origins(group: &mut Group) {
+    let Group { corners: Corners { snapped: p, place, .. }, first, origin, .. } = group;
     for k in 0..2 {
         for i in 0..GROUP {
             // The mean of the three, a third at a time in whole pixels: it is between -1 and 17 from the box.
@@ -211,8 +227,8 @@ fn origins(group: &mut Group, place: &Places) {
 
 /// The depth planes, from snapped positions.
 #[inline(always)]
-fn depths(group: &mut Group, place: &Places, view: &View, odd: &mut Floats) {
-    let Group { snapped: p, origin, area, z, .. } = group;
+fn depths(group: &mut Group, view: &View, odd: &mut Floats) {
+    let Group { corners: Corners { snapped: p, place, .. }, origin, area, z, .. } = group;
     for i in 0..GROUP {
         let det = f64::from(area[i]) * (1.0 / 65536.0);
         let [z0, z1, z2] = [place[0][Z][i], place[1][Z][i], place[2][Z][i]].map(|z| z * view.scale);
@@ -237,8 +253,8 @@ fn depths(group: &mut Group, place: &Places, view: &View, odd: &mut Floats) {
 
 /// The weights of the corners, from the unsnapped positions where their area is about that of the snapped ones.
 #[inline(always)]
-fn bases(group: &mut Group, place: &Places, odd: &mut Floats) {
-    let Group { snapped: p, origin, area, bases, affine, .. } = group;
+fn bases(group: &mut Group, odd: &mut Floats) {
+    let Group { corners: Corners { snapped: p, place, .. }, origin, area, bases, affine, .. } = group;
     for i in 0..GROUP {
         let snapped_det = f64::from(area[i]) * (1.0 / 65536.0);
         let from = [0, 1].map(|k: usize| f64::from(origin[k][i]) + 0.5);
@@ -312,10 +328,10 @@ struct Numerators {
 
 /// The planes of one slot.
 #[inline(always)]
-fn slot(bases: &Bases, f: &[[[f32; GROUP]; 4]; 3], k: usize, odd: &mut Floats, out: &mut PlaneGroup) -> Numerators {
+fn slot(bases: &Bases, f: &[[f32; GROUP]; 3], odd: &mut Floats, out: &mut PlaneGroup) -> Numerators {
     let Bases { d, b: [b1, b2], scale, .. } = bases;
     let mut n = Numerators { at: ZERO, x: ZERO, y: ZERO };
-    let [f0, f1, f2] = [&f[0][k & 3], &f[1][k & 3], &f[2][k & 3]];
+    let [f0, f1, f2] = f;
     for i in 0..GROUP {
         let [f0, f1, f2] = [f0[i], f1[i], f2[i]];
         let base = f64::from(f0);
@@ -389,31 +405,36 @@ fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
 }
 
 stage! {
+    /// The corners of a group into lanes.
+    pub(super) fn TURN_GROUP: TurnFn = (group: &mut Group, count: usize) {
+        let Group { quads, place, corners, .. } = group;
+        lanes(place, &mut corners.place);
+        // The last one first: what it has of the slots of the one before it may be other colours than it should be.
+        for (k, quad) in quads.iter().enumerate().take(count.div_ceil(4)).rev() {
+            let first = (4 * k).min(count.max(4) - 4);
+            if let Some(slots) = corners.slots.get_mut(first..).and_then(|slots| slots.first_chunk_mut()) {
+                slot_lanes(quad, slots);
+            }
+        }
+    }
+
     /// Masks and planes of a group.
     pub(super) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, view: &View, out: &mut [PlaneGroup]) {
         let members = sort(group, view);
         if !members.any {
             return;
         }
-        let (mut place, mut odd) = ([[ZERO; 4]; 3], ZERO);
-        lanes(&group.place, &mut place);
-        origins(group, &place);
-        masks(&group.snapped, &group.area, &group.first, members.masks, &mut group.bits);
+        let mut odd = ZERO;
+        origins(group);
+        masks(&group.corners.snapped, &group.area, &group.first, members.masks, &mut group.bits);
         if members.rows > 0 {
-            rows(&group.snapped, &group.area, &group.first, members.rows, &mut group.ends);
+            rows(&group.corners.snapped, &group.area, &group.first, members.rows, &mut group.ends);
         }
-        depths(group, &place, view, &mut odd);
-        bases(group, &place, &mut odd);
-        let count = rules.slots.len();
-        let (mut terms, mut held) = (Terms::NONE, usize::MAX);
-        let mut f = [[[0.0; GROUP]; 4]; 3];
-        for (k, (rule, planes)) in rules.slots.iter().zip(out).enumerate() {
-            let (quad, column) = quad_of(count, k);
-            if quad != held && let Some(quads) = group.quads.get(quad) {
-                lanes(quads, &mut f);
-                held = quad;
-            }
-            let numerators = slot(&group.bases, &f, column, &mut odd, planes);
+        depths(group, view, &mut odd);
+        bases(group, &mut odd);
+        let mut terms = Terms::NONE;
+        for (rule, (f, planes)) in rules.slots.iter().zip(group.corners.slots.iter().zip(out)) {
+            let numerators = slot(&group.bases, f, &mut odd, planes);
             if let Some(of) = rule {
                 terms.coordinate(&group.bases, of, &numerators, planes);
                 if of.last {

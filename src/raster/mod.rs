@@ -4,6 +4,7 @@
 
 mod bands;
 mod coordinate;
+mod corners;
 mod crew;
 mod emit;
 mod geometry;
@@ -28,6 +29,7 @@ pub mod vertex;
 mod walker;
 mod weights;
 
+pub use corners::Corners;
 pub use geometry::Span;
 pub use rounds::Pieces;
 pub use scene::{Builder, Draw, Scene};

@@ -4,8 +4,9 @@
 //! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
-use super::group::{Group, MOST_SLOTS};
-use super::group_planes::{GroupFn, Rules, SET_UP_GROUP, View};
+use super::corners::MOST_SLOTS;
+use super::group::Group;
+use super::group_planes::{GroupFn, Rules, SET_UP_GROUP, TURN_GROUP, TurnFn, View};
 use super::pool::Pool;
 use super::state::{Mode, RasterState};
 use super::weights::{FOUR, Four, FourFn, Weights};
@@ -59,6 +60,7 @@ pub struct Recipe {
     level: Level,
     run: FourFn,
     run_group: GroupFn,
+    turn_group: TurnFn,
     layout: Layout,
     flat: bool,
     units: Vec<(u32, UnitSlots)>,
@@ -106,8 +108,9 @@ impl Recipe {
     pub fn new(level: Level) -> Self {
         let level = level.at_most_available();
         let (run, run_group) = (FOUR.levels[level as usize], SET_UP_GROUP.levels[level as usize]);
+        let turn_group = TURN_GROUP.levels[level as usize];
         let (layout, rules) = (Layout::default(), Rules::default());
-        Self { level, run, run_group, layout, flat: false, units: Vec::new(), rules, grouped: false }
+        Self { level, run, run_group, turn_group, layout, flat: false, units: Vec::new(), rules, grouped: false }
     }
 
     /// Takes over what a draw's layout and shade model ask for.
@@ -149,6 +152,15 @@ impl Recipe {
     #[cfg(test)]
     pub fn group_nothing(&mut self) {
         self.grouped = false;
+    }
+
+    /// Turns the corners of a group into lanes.
+    pub(super) fn turn(&self, group: &mut Group) {
+        #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
+        // SAFETY: a recipe is made for no level that the processor does not have.
+        unsafe {
+            (self.turn_group)(group, self.layout.count);
+        }
     }
 
     /// Sets up a group, whose planes go to a place a slot.

@@ -3,6 +3,7 @@
 //! work of many small draws can be shared out to bands of rows and their workers.
 
 use super::bands::{self, Flush};
+use super::corners::Corners;
 use super::crew::Crew;
 use super::emit::Emitter;
 use super::geometry::{Context, Geometry, Span};
@@ -109,15 +110,20 @@ impl<'a, P> Builder<'a, P> {
         self.geometry.triangle(&self.cx, &Triangle { v: [a, b, c], provoking, edges }, self.stipple);
     }
 
-    /// Whether [`Self::triangles`] may be called.
+    /// Whether [`Self::triangles`] and [`Self::group`] may be called with vertices of so many slots.
     #[must_use]
-    pub fn takes_many(&self, vertices: &Vertices) -> bool {
-        Geometry::takes_many(&self.cx, vertices)
+    pub fn takes_many(&self, stride: usize) -> bool {
+        Geometry::takes_many(&self.cx, stride)
     }
 
     /// Draws triangles whose corners are some of many vertices; none must need clipping.
     pub fn triangles(&mut self, vertices: &Vertices, triangles: &[[u32; 3]]) {
         self.geometry.wait_all(&self.cx, vertices, triangles);
+    }
+
+    /// Draws as many triangles as a group has, whose corners `fill` puts in place; none must need clipping.
+    pub fn group(&mut self, fill: impl FnOnce(&mut Corners)) {
+        self.geometry.file_corners(&self.cx, fill);
     }
 
     /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a

@@ -16,7 +16,7 @@ use super::clip::Clipper;
 use super::counts::Counts;
 use super::plan::VertexPlan;
 use super::pool::Pool;
-use super::sight::{CULLS, Triangles, nowhere};
+use super::sight::{Triangles, nowhere};
 use crate::batch::LANES;
 use crate::enums::*;
 use crate::raster::vertex::{Place, twice_area};
@@ -148,9 +148,7 @@ impl Output<'_> {
     /// Triangles that have no vertex in common. Most draws are made of them, so they are looked at many at a time.
     fn triangles(&mut self, pool: &Pool, triangles: &[[u32; 3]]) {
         let with_edges = self.edges();
-        let [positive, other] = [0, 1].map(|k: usize| if self.culls[k] { CULLS[k] } else { 0 });
-        let mut sight = self.plan.sight;
-        sight.arg = self.plan.clip_mask | positive | other;
+        let sight = self.plan.sight(self.culls);
         for block in triangles.chunks(LANES) {
             self.batch.triangles.n = block.len();
             pool.corners(block, &mut self.batch.triangles.corners);

@@ -82,7 +82,13 @@ impl Chunk {
     /// Whether no vertex waits for others.
     #[must_use]
     pub fn is_between(&mut self) -> bool {
-        self.assembler.held().is_empty()
+        self.waiting() == 0
+    }
+
+    /// How many vertices wait for others.
+    #[must_use]
+    pub fn waiting(&mut self) -> usize {
+        self.assembler.held().len()
     }
 
     /// How many vertices the pool holds.
@@ -91,12 +97,16 @@ impl Chunk {
         self.pool.len() as u32
     }
 
-    /// Places the vertices of the batch and appends them to the pool; the id of the first.
-    pub fn place(&mut self, plan: &VertexPlan) -> u32 {
-        let first = self.held();
+    /// Places the vertices of the batch.
+    pub fn place(&mut self, plan: &VertexPlan) {
         let (places, _) = plan.plan.steps.split_at(plan.places.min(plan.plan.steps.len()));
         run(plan, places, &mut self.batch);
         self.counts.placed += self.batch.n as u64;
+    }
+
+    /// Appends the vertices of the batch to the pool; the id of the first.
+    pub fn append(&mut self) -> u32 {
+        let first = self.held();
         self.pool.append(&self.batch);
         first
     }
@@ -127,6 +137,7 @@ impl Chunk {
         for from in (0..elements.keys.len()).step_by(cut) {
             source.places(&elements.keys.part(from, from + cut), &mut self.batch);
             self.place(plan);
+            self.append();
         }
         self.feed(plan, culls, elements.ids);
         if !self.seen.is_empty() || !self.assembler.held().is_empty() {

@@ -86,19 +86,22 @@ impl Lane {
         room: &mut impl FnMut(&mut T),
     ) {
         let Self { chunk, .. } = self;
+        let block = draw.source.block(draw.mode).clamp(1, LANES) as u32;
         let cut = draw.cut.clamp(1, LANES) as u32;
         let mut at = range.start;
         while at < range.end {
-            // Batches end at multiples of 64 vertices, where a source may have its own batches end.
-            let n = cut.min(LANES as u32 - at % LANES as u32).min(range.end - at);
+            // Batches end where a source may have its own batches end.
+            let n = cut.min(block - (at - range.start) % block).min(range.end - at);
             let keys = Keys::Range(at..at + n);
             draw.source.places(&keys, &mut chunk.batch);
             draw.source.values(&keys, &mut chunk.batch);
-            let first = chunk.place(draw.plan);
-            chunk.feed_batch(draw.plan, culls, first);
-            chunk.value_batch(draw.plan, first);
-            chunk.hand_on(draw.plan, 0, usize::MAX, sink);
-            chunk.clear();
+            if !chunk.place_in_step(draw.plan, draw.mode == GL_TRIANGLES, culls, sink) {
+                let first = chunk.append();
+                chunk.feed_batch(draw.plan, culls, first);
+                chunk.value_batch(draw.plan, first);
+                chunk.hand_on(draw.plan, 0, usize::MAX, sink);
+                chunk.clear();
+            }
             room(sink);
             at += n;
         }

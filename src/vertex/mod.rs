@@ -13,6 +13,7 @@ pub mod cache;
 pub mod chunk;
 pub mod clip;
 pub mod counts;
+pub mod in_step;
 pub mod lane;
 pub mod lighting;
 pub mod material;
@@ -28,9 +29,10 @@ pub mod transform;
 pub mod uniforms;
 pub mod weld;
 
+use crate::enums::GLenum;
 use crate::fragment::planes::GROUP;
 pub use crate::raster::VertexRef;
-use crate::raster::{Builder, Scene, Shader};
+use crate::raster::{Builder, Corners, Scene, Shader};
 use assemble::Primitive;
 use batch::VertexBatch;
 use clip::Clipper;
@@ -53,6 +55,12 @@ pub trait Assembled {
     fn culls(&self) -> [bool; 2] {
         [false; 2]
     }
+    /// Whether groups of triangles may be [taken](Self::take_group) with vertices of so many slots.
+    fn takes_groups(&mut self, _stride: usize) -> bool {
+        false
+    }
+    /// Takes as many triangles as a group has, which need no clipping and whose corners `fill` puts in place.
+    fn take_group(&mut self, _fill: impl FnOnce(&mut Corners)) {}
     /// Takes primitives one after the other.
     fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper)
     where
@@ -79,6 +87,16 @@ impl<P: Shader> Assembled for Scene<P> {
 
     fn culls(&self) -> [bool; 2] {
         Scene::culls(self)
+    }
+
+    fn takes_groups(&mut self, stride: usize) -> bool {
+        self.builder().is_some_and(|builder| builder.takes_many(stride))
+    }
+
+    fn take_group(&mut self, fill: impl FnOnce(&mut Corners)) {
+        if let Some(mut builder) = self.builder() {
+            builder.group(fill);
+        }
     }
 
     /// What a scene has to know of its draw is the same for all of them.
@@ -108,9 +126,17 @@ impl<P: Shader> Assembled for Builder<'_, P> {
         self.draw().culls()
     }
 
+    fn takes_groups(&mut self, stride: usize) -> bool {
+        self.takes_many(stride)
+    }
+
+    fn take_group(&mut self, fill: impl FnOnce(&mut Corners)) {
+        self.group(fill);
+    }
+
     /// Triangles that need no more than their vertices go a group at a time.
     fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper) {
-        let many = self.takes_many(&pool.vertices);
+        let many = self.takes_many(pool.vertices.stride);
         let mut rest = primitives;
         while let Some((first, others)) = rest.split_first() {
             if !(many && first.is_plain()) {
@@ -207,6 +233,10 @@ pub trait Source: Sync {
     fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
     /// Fills the batch with all other attributes of some elements.
     fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
+    /// How many vertices of a primitive are best taken at a time.
+    fn block(&self, mode: GLenum) -> usize {
+        in_step::block(mode)
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 use super::lane::{Lane, SourceDraw};
 use super::plan::VertexPlan;
 use super::store::Store;
-use crate::batch::Level;
+use crate::batch::{LANES, Level};
 use crate::enums::GLenum;
 use crate::raster::{Builder, SetUp, Shader};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -41,7 +41,7 @@ impl Pieces {
         piece.plan.clone_from(plan);
         (piece.mode, piece.cut) = (mode, cut);
         std::mem::swap(&mut piece.store, store);
-        store.clear(0);
+        store.clear(0, LANES);
         let idle = self.clone();
         Box::new(move |to| {
             piece.set_up(to);

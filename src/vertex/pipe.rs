@@ -4,7 +4,8 @@
 
 use super::Assembled;
 use super::batch::needs;
-use super::chunk::consecutive;
+use super::chunk::{Chunk, consecutive};
+use super::in_step::{self, IN_STEP};
 use super::lane::{Lane, WORTH_CUTTING};
 use super::piece::Pieces;
 use super::plan::{VertexPlan, Wants};
@@ -36,6 +37,8 @@ pub struct Pipe {
     /// Vertices that wait, and those that the primitive still needs.
     pub lane: Lane,
     cut: usize,
+    /// With how many vertices the batch at hand is full: as many as `cut`, or fewer so that triangles are in step.
+    limit: usize,
     spans: Vec<Span>,
     inside: bool,
     /// Vertices before those that wait, all of one primitive: a long one is collected for several threads.
@@ -57,6 +60,7 @@ impl Pipe {
             plan: VertexPlan::new(level),
             lane: Lane::default(),
             cut: cut.clamp(1, LANES),
+            limit: cut.clamp(1, LANES),
             spans: Vec::new(),
             inside: false,
             store: Store::default(),
@@ -93,15 +97,18 @@ impl Pipe {
     /// Begins a primitive.
     #[inline]
     pub fn begin(&mut self, mode: GLenum) {
+        let n = self.lane.chunk.batch.n;
+        let in_step = n == 0 || (self.limit == IN_STEP && n.is_multiple_of(3));
+        self.limit = if in_step { self.cut.min(in_step::block(mode)) } else { self.cut };
         self.inside = true;
-        self.spans.push(Span { mode, begins: true, ends: false, until: self.lane.chunk.batch.n as u32 });
+        self.spans.push(Span { mode, begins: true, ends: false, until: n as u32 });
     }
 
     /// Appends a vertex if the batch is not full with it; false says that nothing has been done.
     #[inline(always)]
     pub fn vertex_at_once(&mut self, position: [f32; 4], current: &Current) -> bool {
         let batch = &mut self.lane.chunk.batch;
-        let at_once = batch.n + 1 < self.cut;
+        let at_once = batch.n + 1 < self.limit;
         if at_once {
             batch.push(position, current, self.plan.needs);
         }
@@ -112,7 +119,7 @@ impl Pipe {
     #[inline]
     pub fn vertex(&mut self, position: [f32; 4], current: &Current) -> bool {
         self.lane.chunk.batch.push(position, current, self.plan.needs);
-        self.lane.chunk.batch.n >= self.cut
+        self.lane.chunk.batch.n >= self.limit
     }
 
     /// Ends the primitive; true says that enough waits to [run](Self::run).
@@ -124,24 +131,24 @@ impl Pipe {
             span.until = until;
             span.ends = true;
         }
-        self.spans.len() >= MOST_SPANS || self.lane.chunk.batch.n >= self.cut
+        self.spans.len() >= MOST_SPANS || self.lane.chunk.batch.n >= self.limit
     }
 
     /// Collects the full batch instead of running it: vertices of one long primitive, of which any three or four in a row
     /// are a triangle or a quadrilateral. False where they are not.
     pub fn collect(&mut self) -> bool {
         let Self { plan, lane: Lane { chunk, .. }, store, spans, .. } = self;
-        let [Span { mode: GL_TRIANGLES | GL_QUADS, begins, ends: false, .. }] = spans.as_mut_slice() else {
+        let [Span { mode: mode @ (GL_TRIANGLES | GL_QUADS), begins, ends: false, .. }] = spans.as_mut_slice() else {
             return false;
         };
         // Between two triangles the primitive might as well begin anew.
         *begins |= chunk.is_between();
         let batch = &mut chunk.batch;
-        if !*begins || batch.n != LANES || plan.needs & needs::EDGE != 0 {
+        if !*begins || batch.n != in_step::block(*mode) || plan.needs & needs::EDGE != 0 {
             return false;
         }
         if store.is_empty() {
-            store.clear(plan.needs);
+            store.clear(plan.needs, batch.n);
         }
         let collected = store.push(batch);
         if collected {
@@ -183,7 +190,7 @@ impl Pipe {
 
     /// Gives the memory of what was collected back.
     pub fn give_back(&mut self, mut store: Store) {
-        store.clear(0);
+        store.clear(0, LANES);
         self.store = store;
     }
 
@@ -200,7 +207,7 @@ impl Pipe {
         let (spans, inside) = (self.spans.clone(), self.inside);
         let store = std::mem::take(&mut self.store);
         let waiting = self.lane.chunk.batch.clone();
-        for block in 0..store.len().div_ceil(LANES) {
+        for block in 0..store.blocks() {
             store.load(block, &mut self.lane.chunk.batch);
             let mode = spans.first().map_or(GL_TRIANGLES, |span| span.mode);
             self.spans = vec![Span { mode, begins: block == 0, ends: false, until: 0 }];
@@ -222,10 +229,32 @@ impl Pipe {
             last.until = chunk.batch.n as u32;
         }
         let open = self.inside.then_some(last.mode);
-        let mut next = chunk.held();
-        let first = chunk.place(plan);
         let culls = sink.culls();
-        for span in spans.iter() {
+        let triangles = spans.iter().all(|span| span.mode == GL_TRIANGLES && span.until.is_multiple_of(3));
+        if chunk.place_in_step(plan, triangles, culls, sink) {
+            spans.iter().filter(|span| span.begins).for_each(|span| chunk.begin(span.mode));
+        } else {
+            Self::assemble(plan, chunk, spans, culls, sink);
+        }
+        chunk.batch.clear();
+        spans.clear();
+        let cut = self.cut;
+        self.limit = cut;
+        if let Some(mode) = open {
+            if mode == GL_TRIANGLES && cut == LANES {
+                // Where vertices are left over, the batch ends so that none will be.
+                let waiting = chunk.waiting();
+                self.limit = if waiting == 0 { IN_STEP } else { cut - (cut + waiting) % 3 };
+            }
+            spans.push(Span { mode, begins: false, ends: false, until: 0 });
+        }
+    }
+
+    /// Makes primitives of the batch, which has been placed.
+    fn assemble<S: Assembled>(plan: &VertexPlan, chunk: &mut Chunk, spans: &[Span], culls: [bool; 2], sink: &mut S) {
+        let mut next = chunk.held();
+        let first = chunk.append();
+        for span in spans {
             if span.begins {
                 chunk.begin(span.mode);
             }
@@ -239,10 +268,5 @@ impl Pipe {
         chunk.value_batch(plan, first);
         chunk.hand_on(plan, 0, usize::MAX, sink);
         chunk.clear();
-        chunk.batch.clear();
-        spans.clear();
-        if let Some(mode) = open {
-            spans.push(Span { mode, begins: false, ends: false, until: 0 });
-        }
     }
 }

@@ -3,11 +3,12 @@
 //! or user planes that use them, no normal without a reader, no term of lighting that is black.
 
 use super::batch::{MAX_SLOTS, VertexBatch, needs};
+use super::in_step::CORNER_PLACES;
 use super::normal::{NORMAL, NORMAL_UNIT, Rescale, normal_matrix};
-use super::sight::SIGHT;
+use super::sight::{CULLS, SIGHT};
 use super::uniforms::{LightNumbers, MaterialNumbers, UnitNumbers, VertexUniforms, ViewportNumbers};
 use super::{lighting, material, tex_coord, transform};
-use crate::batch::{Level, Plan, Step};
+use crate::batch::{Level, Plan, Stage, Step};
 use crate::enums::*;
 use crate::fragment::planes::{Layout, UnitSlots};
 use crate::num;
@@ -39,7 +40,9 @@ pub struct VertexPlan {
     /// visible uses.
     pub places: usize,
     /// Which triangles can be seen.
-    pub sight: Step<VertFn>,
+    sight: Step<VertFn>,
+    /// Before that, in a batch that is in step: where their corners are.
+    pub corner_places: Step<VertFn>,
     /// The numbers.
     pub uniforms: VertexUniforms,
     /// The attributes that the stages read, bits of [`needs`].
@@ -63,14 +66,27 @@ struct Requirements {
     reflection: bool,
 }
 
+/// A step of a stage that is told nothing.
+fn step(stage: &Stage<VertFn>, level: Level) -> Step<VertFn> {
+    Step { name: stage.name, run: stage.levels[level as usize], arg: 0 }
+}
+
 impl VertexPlan {
+    /// Which triangles can be seen where the sink [culls](super::Assembled::culls) some.
+    #[must_use]
+    pub fn sight(&self, culls: [bool; 2]) -> Step<VertFn> {
+        let [positive, other] = [0, 1].map(|k: usize| if culls[k] { CULLS[k] } else { 0 });
+        Step { arg: self.clip_mask | positive | other, ..self.sight }
+    }
+
     /// The plan of nothing.
     #[must_use]
     pub fn new(level: Level) -> Self {
         Self {
             plan: Plan::new(level),
             places: 0,
-            sight: Step { name: SIGHT.name, run: SIGHT.levels[level as usize], arg: 0 },
+            sight: step(&SIGHT, level),
+            corner_places: step(&CORNER_PLACES, level),
             uniforms: VertexUniforms::default(),
             needs: 0,
             layout: Layout::default(),

@@ -6,6 +6,7 @@ use super::batch::{Lanes, VertexBatch, needs};
 use super::cache::IndexList;
 use super::{Keys, Order, Source};
 use crate::batch::LANES;
+use crate::enums::GLenum;
 
 /// Numbers of a position.
 const POSITION: usize = 4;
@@ -18,6 +19,8 @@ pub struct Store {
     /// Arrays of a block.
     per_block: usize,
     lanes: Vec<Lanes>,
+    /// Vertices of a block.
+    each: usize,
     count: usize,
     /// Whether w is 1 in every position.
     w_is_one: bool,
@@ -43,9 +46,10 @@ fn arrays(kept: u32) -> usize {
 }
 
 impl Store {
-    /// Forgets all vertices and says which attributes the next ones have.
-    pub fn clear(&mut self, kept: u32) {
+    /// Forgets all vertices and says which attributes the next ones have, and how many come at a time.
+    pub fn clear(&mut self, kept: u32, each: usize) {
         self.lanes.clear();
+        self.each = each.clamp(1, LANES);
         (self.kept, self.per_block, self.count, self.w_is_one) = (kept, POSITION + arrays(kept), 0, true);
     }
 
@@ -53,6 +57,12 @@ impl Store {
     #[must_use]
     pub fn len(&self) -> usize {
         self.count
+    }
+
+    /// How many blocks they are.
+    #[must_use]
+    pub fn blocks(&self) -> usize {
+        self.count.div_ceil(self.each.max(1))
     }
 
     /// Whether there is none.
@@ -67,7 +77,7 @@ impl Store {
         Order::Range(0..u32::try_from(self.count).unwrap_or(u32::MAX))
     }
 
-    /// Appends the vertices of a batch; all batches but the last must be full. False where there is no memory.
+    /// Appends the vertices of a batch; all batches but the last must have as many as come at a time. False where there is no memory.
     pub fn push(&mut self, batch: &mut VertexBatch) -> bool {
         if self.lanes.try_reserve(self.per_block).is_err() {
             return false;
@@ -81,7 +91,7 @@ impl Store {
 
     /// A batch of the store: its number of vertices.
     pub fn load(&self, block: usize, batch: &mut VertexBatch) {
-        batch.n = self.count.saturating_sub(block * LANES).min(LANES);
+        batch.n = self.count.saturating_sub(block * self.each).min(self.each);
         batch.w_is_one = self.w_is_one;
         let Some(lanes) = self.block(block) else { return };
         let (position, rest) = lanes.split_at(POSITION);
@@ -93,8 +103,9 @@ impl Store {
 
     /// The numbers of a vertex.
     pub fn numbers(&self, vertex: u32) -> impl Iterator<Item = f32> + '_ {
-        let lane = vertex as usize % LANES;
-        self.block(vertex as usize / LANES).unwrap_or_default().iter().map(move |lanes| lanes[lane])
+        let (each, vertex) = (self.each.max(1), vertex as usize);
+        let lane = vertex % each;
+        self.block(vertex / each).unwrap_or_default().iter().map(move |lanes| lanes[lane])
     }
 
     /// A store of some of the vertices; `None` where there is no memory.
@@ -112,7 +123,7 @@ impl Store {
             }
         }
         let Self { kept, per_block, w_is_one, .. } = *self;
-        Some(Self { kept, per_block, lanes, count: vertices.len(), w_is_one })
+        Some(Self { kept, per_block, lanes, each: LANES, count: vertices.len(), w_is_one })
     }
 
     fn block(&self, block: usize) -> Option<&[Lanes]> {
@@ -121,8 +132,11 @@ impl Store {
 
     /// Copies some numbers of some vertices: those of one block at once, where they are all of it.
     fn copy<'a>(&self, keys: &Keys<'_>, skip: usize, to: impl Iterator<Item = &'a mut Lanes>) {
+        let each = self.each.max(1);
         let whole = match keys {
-            Keys::Range(range) if range.start % LANES as u32 == 0 => self.block(range.start as usize / LANES),
+            Keys::Range(range) if (range.start as usize).is_multiple_of(each) && range.len() <= each => {
+                self.block(range.start as usize / each)
+            }
             _ => None,
         };
         match whole {
@@ -135,7 +149,7 @@ impl Store {
                 let mut at = [0; LANES];
                 for (i, at) in at.iter_mut().enumerate() {
                     let key = keys.get(i).unwrap_or(0) as usize;
-                    *at = (key / LANES * self.per_block + skip) * LANES + key % LANES;
+                    *at = (key / each * self.per_block + skip) * LANES + key % each;
                 }
                 let numbers = self.lanes.as_flattened();
                 for (k, to) in to.enumerate() {
@@ -153,6 +167,10 @@ impl Source for Store {
         batch.n = keys.len().min(LANES);
         batch.w_is_one = self.w_is_one;
         self.copy(keys, 0, batch.position.iter_mut());
+    }
+
+    fn block(&self, _: GLenum) -> usize {
+        self.each
     }
 
     fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {

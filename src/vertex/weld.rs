@@ -74,7 +74,7 @@ mod tests {
 
     fn store(vertices: impl Iterator<Item = ([f32; 4], [f32; 4])>) -> Store {
         let (mut store, mut batch) = (Store::default(), VertexBatch::new());
-        store.clear(needs::COLOR);
+        store.clear(needs::COLOR, LANES);
         for (position, color) in vertices {
             batch.push(position, &Current { color, ..Current::default() }, needs::COLOR);
             if batch.n == LANES {

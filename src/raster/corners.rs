@@ -1,0 +1,43 @@
+//! The corners of a group of small triangles, a triangle a lane: what setup works on.
+
+use super::vertex::Vertex;
+use crate::fragment::planes::GROUP;
+
+/// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.
+pub const MOST_SLOTS: usize = 40;
+
+/// Corners of triangles.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct Corners {
+    /// w, window x, y and z of each corner, in the order of a vertex.
+    pub place: [[[f64; GROUP]; 4]; 3],
+    /// Snapped x and y of each corner.
+    pub snapped: [[[i32; GROUP]; 2]; 3],
+    /// Each slot at each corner.
+    pub slots: [[[f32; GROUP]; 3]; MOST_SLOTS],
+}
+
+impl Default for Corners {
+    fn default() -> Self {
+        Self { place: [[[0.0; GROUP]; 4]; 3], snapped: [[[0; GROUP]; 2]; 3], slots: [[[0.0; GROUP]; 3]; MOST_SLOTS] }
+    }
+}
+
+impl Corners {
+    /// The slots of a corner.
+    pub(super) fn slots(&self, lane: usize, corner: usize, count: usize) -> [f32; MOST_SLOTS] {
+        let mut slots = [0.0; MOST_SLOTS];
+        for (to, from) in slots.iter_mut().zip(&self.slots).take(count) {
+            *to = from[corner % 3][lane % GROUP];
+        }
+        slots
+    }
+
+    /// The vertex at a corner, as far as planes depend on it.
+    pub(super) fn vertex(&self, lane: usize, corner: usize) -> Vertex {
+        let [w, x, y, z] = self.place[corner].map(|lanes| lanes[lane]);
+        let snapped = self.snapped[corner].map(|lanes| lanes[lane]);
+        Vertex { clip: [0.0, 0.0, 0.0, w], window: [x, y, z], snapped, ..Vertex::default() }
+    }
+}
