@@ -3,7 +3,7 @@
 //! after the other. A pixel lies in one band, so it sees the same fragments in the same order in either case, and since a
 //! fragment depends on nothing but its primitive and its position, the result is the same to the last bit.
 
-use super::crew::Crew;
+use super::crew::{Crew, PAYS};
 use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
 use super::scene::Draw;
@@ -26,9 +26,6 @@ pub(super) struct Flush<'a, P> {
     pub level: Level,
 }
 
-/// Work, in pixels of one colour, from which on more than one thread pays: about 120 us on the machine that was measured.
-/// Starting a thread and waiting for its end takes 40 to 60.
-const PAYS: u64 = 1 << 21;
 /// What a primitive costs besides its fragments.
 const PRIMITIVE: u64 = 16 * ORDINARY;
 /// Pixels of a primitive, on average, from which on it pays to ask what those of each cost.
@@ -279,7 +276,7 @@ impl<P: Shader> Flush<'_, P> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Flush, apart};
+    use super::{Flush, ORDINARY, PAYS, apart};
     use crate::batch::Level;
     use crate::raster::geometry::{Cover, Geometry};
     use crate::raster::state::Rect;
@@ -307,11 +304,13 @@ mod tests {
             let draws = from_ref(&board.draw);
             Flush { draws, geometry: &geometry, cut: 64, level: Level::Baseline }.worth()
         };
-        // Pixels of the board's shader are ordinary ones; 2^16 of them are worth a second thread.
-        let rows =
-            [(0, 0, 1), (255, 1, 1), (256, 1, 2), (256, 3, 4), (16, 255, 1), (16, 256, 2), (2, 3276, 1), (2, 3300, 2)];
-        for (side, count, want) in rows {
-            assert_eq!(worth(side, count), want, "{count} squares of {side}");
+        // Pixels of the board's shader are ordinary ones. Many of a few pixels cost as much as 16 of them besides.
+        let pays = usize::try_from(PAYS / ORDINARY).expect("it is small");
+        for (side, each) in [(64, 4096), (16, 256), (2, 4 + 16)] {
+            let first = pays.div_ceil(each);
+            for (count, want) in [(0, 1), (first - 1, 1), (first, 2), (3 * first, 4)] {
+                assert_eq!(worth(side, count), want, "{count} squares of {side}");
+            }
         }
     }
 }
