@@ -210,11 +210,11 @@ impl Geometry {
         }
     }
 
-    /// Files triangles whose corners `fill` puts in place, a triangle a lane, in all lanes.
-    pub(super) fn file_corners(&mut self, cx: &Context, fill: impl FnOnce(&mut Corners)) {
+    /// Files triangles whose corners `fill` puts in place, a triangle a lane, in the first lanes.
+    pub(super) fn file_corners(&mut self, cx: &Context, count: usize, fill: impl FnOnce(&mut Corners)) {
         self.settle(cx);
         fill(&mut self.group.corners);
-        self.file_lanes(cx, GROUP);
+        self.file_lanes(cx, count.min(GROUP));
     }
 
     fn file_group(&mut self, cx: &Context) {

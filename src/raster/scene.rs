@@ -121,9 +121,9 @@ impl<'a, P> Builder<'a, P> {
         self.geometry.wait_all(&self.cx, vertices, triangles);
     }
 
-    /// Draws as many triangles as a group has, whose corners `fill` puts in place; none must need clipping.
-    pub fn group(&mut self, fill: impl FnOnce(&mut Corners)) {
-        self.geometry.file_corners(&self.cx, fill);
+    /// Draws so many triangles, at most a group of them, whose corners `fill` puts in place; none must need clipping.
+    pub fn group(&mut self, count: usize, fill: impl FnOnce(&mut Corners)) {
+        self.geometry.file_corners(&self.cx, count, fill);
     }
 
     /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a

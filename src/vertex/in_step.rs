@@ -14,8 +14,9 @@ use crate::raster::Corners;
 
 /// Vertices of a batch that is in step.
 pub const IN_STEP: usize = 3 * GROUP;
-/// Triangles of a group that must be seen, so that setting up the others for nothing is less than what is saved.
-const ENOUGH: u32 = GROUP as u32 / 2;
+/// Triangles that must be seen: setting up what else a group has room for, or what nobody sees, is then less than what is
+/// saved.
+const ENOUGH: usize = GROUP / 2;
 
 /// How many vertices of a primitive are best taken at a time.
 #[must_use]
@@ -42,7 +43,7 @@ stage! {
         if let [Some(a), Some(b), Some(c)] = corners {
             thirds(place, [a, b, c]);
         }
-        triangles.n = GROUP;
+        triangles.n = b.n / 3;
     }
 
     /// The corners of triangles.
@@ -75,32 +76,34 @@ impl Chunk {
         culls: [bool; 2],
         sink: &mut S,
     ) -> bool {
-        let in_step = triangles && self.batch.n == IN_STEP && self.held() == 0 && plan.needs & needs::EDGE == 0;
+        let n = self.batch.n;
+        let in_step = triangles && n.is_multiple_of(3) && (3 * ENOUGH..=IN_STEP).contains(&n);
+        let in_step = in_step && self.held() == 0 && plan.needs & needs::EDGE == 0;
         self.place(plan);
         in_step && self.hand_on_in_step(plan, culls, sink)
     }
 
-    /// Hands the triangles of a batch on that has been placed and has [`IN_STEP`] vertices, if they can be handed on as they
-    /// are. False, and nothing done, if not.
+    /// Hands the triangles of a batch on that has been placed and has at most [`IN_STEP`] vertices, if they can be handed on
+    /// as they are. False, and nothing done, if not.
     fn hand_on_in_step<S: Assembled>(&mut self, plan: &VertexPlan, culls: [bool; 2], sink: &mut S) -> bool {
         let Self { batch, counts, .. } = self;
         run(plan, &[plan.corner_places, plan.sight(culls)], batch);
         let t = &batch.triangles;
         let (seen, outside, culled) = (t.seen.count_ones(), t.outside.count_ones(), t.culled.count_ones());
         if seen > 0 {
-            if t.clipped != 0 || outside > 0 || seen < ENOUGH || !sink.takes_groups(plan.layout.stride) {
+            if t.clipped != 0 || outside > 0 || (seen as usize) < ENOUGH || !sink.takes_groups(plan.layout.stride) {
                 return false;
             }
             run(plan, plan.plan.steps.get(plan.places..).unwrap_or_default(), batch);
             let corners = CORNERS.levels[plan.plan.level() as usize];
             let count = plan.layout.count;
-            sink.take_group(|to| {
+            sink.take_group(batch.n / 3, |to| {
                 #[expect(unsafe_code, reason = "a plan is made for a level that the processor has")]
                 unsafe {
                     corners(batch, count, to);
                 }
             });
-            counts.valued += IN_STEP as u64;
+            counts.valued += batch.n as u64;
         }
         counts.seen += u64::from(seen);
         counts.outside += u64::from(outside);

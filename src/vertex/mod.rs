@@ -59,8 +59,8 @@ pub trait Assembled {
     fn takes_groups(&mut self, _stride: usize) -> bool {
         false
     }
-    /// Takes as many triangles as a group has, which need no clipping and whose corners `fill` puts in place.
-    fn take_group(&mut self, _fill: impl FnOnce(&mut Corners)) {}
+    /// Takes so many triangles, at most a group of them, which need no clipping and whose corners `fill` puts in place.
+    fn take_group(&mut self, _count: usize, _fill: impl FnOnce(&mut Corners)) {}
     /// Takes primitives one after the other.
     fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper)
     where
@@ -93,9 +93,9 @@ impl<P: Shader> Assembled for Scene<P> {
         self.builder().is_some_and(|builder| builder.takes_many(stride))
     }
 
-    fn take_group(&mut self, fill: impl FnOnce(&mut Corners)) {
+    fn take_group(&mut self, count: usize, fill: impl FnOnce(&mut Corners)) {
         if let Some(mut builder) = self.builder() {
-            builder.group(fill);
+            builder.group(count, fill);
         }
     }
 
@@ -130,8 +130,8 @@ impl<P: Shader> Assembled for Builder<'_, P> {
         self.takes_many(stride)
     }
 
-    fn take_group(&mut self, fill: impl FnOnce(&mut Corners)) {
-        self.group(fill);
+    fn take_group(&mut self, count: usize, fill: impl FnOnce(&mut Corners)) {
+        self.group(count, fill);
     }
 
     /// Triangles that need no more than their vertices go a group at a time.
