@@ -1,4 +1,4 @@
-//! Attribute stacks (OpenGL 1.5, section 6.1.14, tables 6.3 and 6.4): PushAttrib clones the groups of state that a mask
+//! Attribute stacks (OpenGL 1.5, section 6.1.14, tables 6.3 and 6.4): PushAttrib copies the groups of state that a mask
 //! names, PopAttrib puts them back. Groups hold nothing derived, so that is all there is to it; the enables of a group
 //! travel with it, and `GL_ENABLE_BIT` keeps the enables of all groups.
 
@@ -9,9 +9,9 @@ use crate::limits::{MAX_ATTRIB_STACK_DEPTH, MAX_CLIENT_ATTRIB_STACK_DEPTH};
 use crate::state::texture::{Target, TexParameters, TextureState};
 use crate::state::{Dirty, State};
 
-/// What one PushAttrib saved: the whole state beside the mask that says which groups count. Groups are small, and
-/// cloning all of them keeps the two directions in one table.
-#[derive(Clone, Debug)]
+/// What one PushAttrib saved: a state beside the mask that says which of its groups count, so that one table serves both
+/// directions.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct SavedAttributes {
     mask: u32,
     state: Box<State>,
@@ -21,7 +21,7 @@ pub(crate) struct SavedAttributes {
 
 macro_rules! groups {
     ($to:expr, $from:expr, $mask:expr; $($bit:ident: $($($field:ident).+),+;)*) => {
-        $(if $mask & $bit != 0 { $($to.$($field).+ = $from.$($field).+.clone();)+ })*
+        $(if $mask & $bit != 0 { $($to.$($field).+ = $from.$($field).+;)+ })*
     };
 }
 
@@ -75,15 +75,55 @@ fn copy_texture_enables(to: &mut TextureState, from: &TextureState) {
     }
 }
 
+/// The attribute stack. What was popped is kept for the next push.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct AttributeStack {
+    saved: Vec<SavedAttributes>,
+    depth: usize,
+}
+
+impl AttributeStack {
+    /// How many groups it holds.
+    pub(crate) fn depth(&self) -> usize {
+        self.depth
+    }
+
+    /// The next place, whatever it has held; `None` where the stack is full.
+    fn push(&mut self) -> Option<&mut SavedAttributes> {
+        if self.depth >= MAX_ATTRIB_STACK_DEPTH {
+            return None;
+        }
+        if self.depth == self.saved.len() {
+            self.saved.push(SavedAttributes::default());
+        }
+        self.depth += 1;
+        self.saved.get_mut(self.depth - 1)
+    }
+
+    /// The last place in use, which no longer is.
+    fn pop(&mut self) -> Option<&mut SavedAttributes> {
+        self.depth = self.depth.checked_sub(1)?;
+        self.saved.get_mut(self.depth)
+    }
+}
+
+/// Groups that no plan is made of.
+const IN_NO_PLAN: u32 =
+    GL_CURRENT_BIT | GL_PIXEL_MODE_BIT | GL_ACCUM_BUFFER_BIT | GL_HINT_BIT | GL_EVAL_BIT | GL_LIST_BIT;
+
 impl Engine {
     pub(crate) fn push_attrib(&mut self, mask: u32) -> Outcome {
-        if self.attributes.len() >= MAX_ATTRIB_STACK_DEPTH {
-            return Err(stack_overflow(format!(
+        let saved = self.attributes.push().ok_or_else(|| {
+            stack_overflow(format!(
                 "the attribute stack is full: it holds {MAX_ATTRIB_STACK_DEPTH} groups; pop one first"
-            )));
+            ))
+        })?;
+        saved.mask = mask;
+        copy_groups(&mut saved.state, &self.state, mask);
+        saved.parameters.clear();
+        if mask & GL_TEXTURE_BIT != 0 {
+            self.textures.bound_parameters(&self.state.texture, &mut saved.parameters);
         }
-        let parameters = if mask & GL_TEXTURE_BIT != 0 { self.bound_parameters() } else { Vec::new() };
-        self.attributes.push(SavedAttributes { mask, state: Box::new(self.state.clone()), parameters });
         Ok(())
     }
 
@@ -92,11 +132,15 @@ impl Engine {
             stack_underflow("the attribute stack is empty; every glPopAttrib needs a glPushAttrib before it")
         })?;
         copy_groups(&mut self.state, &saved.state, saved.mask);
-        for (name, target, parameters) in saved.parameters {
-            self.restore_parameters(name, target, parameters);
+        for (name, target, parameters) in saved.parameters.drain(..) {
+            self.textures.restore_parameters(name, target, parameters);
         }
-        self.forget_deleted_bindings();
-        self.dirty = Dirty::ALL;
+        if saved.mask & GL_TEXTURE_BIT != 0 {
+            self.textures.forget_deleted_bindings(&mut self.state.texture);
+        }
+        if saved.mask & !IN_NO_PLAN != 0 {
+            self.dirty = Dirty::ALL;
+        }
         Ok(())
     }
 

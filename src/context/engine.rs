@@ -3,7 +3,7 @@
 //! this file only says what there is.
 
 use super::arrays::Arrays;
-use super::attrib::SavedAttributes;
+use super::attrib::AttributeStack;
 use super::begin_end::Primitive;
 use super::buffers::Buffers;
 use super::config::Config;
@@ -42,7 +42,7 @@ pub(crate) struct Engine {
     /// Client state.
     pub(crate) client: Client,
     /// The attribute stack.
-    pub(crate) attributes: Vec<SavedAttributes>,
+    pub(crate) attributes: AttributeStack,
     /// The client attribute stack: what was saved, and which of it counts.
     pub(crate) client_attributes: Vec<(u32, Client)>,
     /// Texture objects.
@@ -101,7 +101,7 @@ impl Engine {
             dirty: Dirty::ALL,
             config,
             client: Client::default(),
-            attributes: Vec::new(),
+            attributes: AttributeStack::default(),
             client_attributes: Vec::new(),
             textures: Textures::default(),
             proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),

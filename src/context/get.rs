@@ -190,7 +190,7 @@ impl Engine {
             return Some(if boolean { Values::boolean(value != 0) } else { Values::uint(value) });
         }
         Some(match pname {
-            GL_ATTRIB_STACK_DEPTH => Values::int(self.attributes.len() as i32),
+            GL_ATTRIB_STACK_DEPTH => Values::int(self.attributes.depth() as i32),
             GL_CLIENT_ATTRIB_STACK_DEPTH => Values::int(self.client_attributes.len() as i32),
             GL_ZOOM_X => Values::float(self.state.pixel.zoom[0]),
             GL_ZOOM_Y => Values::float(self.state.pixel.zoom[1]),

@@ -8,7 +8,7 @@ use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::num::clamp01;
 use crate::state::Dirty;
-use crate::state::texture::{Target, TexParameters};
+use crate::state::texture::{Target, TexParameters, TextureState};
 use crate::texture::object::TextureObject;
 use std::collections::HashMap;
 
@@ -42,6 +42,36 @@ impl Textures {
         match self.named.get_mut(&name) {
             Some(Some(object)) if object.target == target => object,
             _ => default,
+        }
+    }
+
+    /// Parameters of all bound textures, for PushAttrib.
+    pub(crate) fn bound_parameters(&self, state: &TextureState, all: &mut Vec<(u32, Target, TexParameters)>) {
+        let [first, ..] = &state.units;
+        for (i, unit) in state.units.iter().enumerate() {
+            for (target, texture) in Target::ALL.into_iter().zip(unit.bound) {
+                // What most units have is what the first one has.
+                let seen = i > 0 && texture == first.bound[target as usize];
+                if !seen && !all.iter().any(|(n, t, _)| (*n, *t) == (texture, target)) {
+                    all.push((texture, target, self.object(target, texture).parameters));
+                }
+            }
+        }
+    }
+
+    /// Puts back what [`Self::bound_parameters`] saved, unless the texture was deleted since.
+    pub(crate) fn restore_parameters(&mut self, texture: u32, target: Target, parameters: TexParameters) {
+        if texture == 0 || self.exists(texture) {
+            self.object_mut(target, texture).parameters = parameters;
+        }
+    }
+
+    /// A binding that PopAttrib brought back may name a texture that was deleted since: it becomes 0.
+    pub(crate) fn forget_deleted_bindings(&self, state: &mut TextureState) {
+        for bound in state.units.iter_mut().flat_map(|unit| &mut unit.bound) {
+            if *bound != 0 && !self.exists(*bound) {
+                *bound = 0;
+            }
         }
     }
 
@@ -159,7 +189,7 @@ impl Engine {
 
     pub(crate) fn tex_parameter(&mut self, target: GLenum, pname: GLenum, params: &Params) -> Outcome {
         let to = bindable(target)?;
-        let mut changed = self.bound_texture(to).parameters.clone();
+        let mut changed = self.bound_texture(to).parameters;
         set_parameter(&mut changed, to, pname, params)?;
         let object = self.bound_texture_mut(to);
         if object.parameters != changed {
@@ -171,36 +201,6 @@ impl Engine {
     pub(crate) fn get_tex_parameter(&mut self, target: GLenum, pname: GLenum) -> Outcome<Values> {
         let object = self.bound_texture(bindable(target)?);
         parameter_value(&object.parameters, pname).ok_or_else(|| wrong("a texture parameter", pname))
-    }
-
-    /// Parameters of all bound textures, for PushAttrib.
-    pub(crate) fn bound_parameters(&self) -> Vec<(u32, Target, TexParameters)> {
-        let mut all: Vec<(u32, Target, TexParameters)> = Vec::new();
-        for unit in &self.state.texture.units {
-            for (target, texture) in Target::ALL.into_iter().zip(unit.bound) {
-                if !all.iter().any(|(n, t, _)| (*n, *t) == (texture, target)) {
-                    all.push((texture, target, self.textures.object(target, texture).parameters.clone()));
-                }
-            }
-        }
-        all
-    }
-
-    /// Puts back what [`Engine::bound_parameters`] saved, unless the texture was deleted since.
-    pub(crate) fn restore_parameters(&mut self, texture: u32, target: Target, parameters: TexParameters) {
-        if texture == 0 || self.textures.exists(texture) {
-            self.textures.object_mut(target, texture).parameters = parameters;
-        }
-    }
-
-    /// A binding that PopAttrib brought back may name a texture that was deleted since: it becomes 0.
-    pub(crate) fn forget_deleted_bindings(&mut self) {
-        let textures = &self.textures;
-        for bound in self.state.texture.units.iter_mut().flat_map(|unit| &mut unit.bound) {
-            if *bound != 0 && !textures.exists(*bound) {
-                *bound = 0;
-            }
-        }
     }
 }
 

@@ -138,7 +138,7 @@ impl<'a> ClientTarget<'a> {
         }
     }
 
-    /// The short way for components of 8 bits. False if the type is another.
+    /// The short way for components of 8 bits and for floats. False if it is another type.
     fn copy_rgba8(&mut self, at: [usize; 3], texels: &[u32]) -> bool {
         let (type_, format, swap) = (self.pixel.type_, self.pixel.format, self.swap);
         let groups = self.groups(at);
@@ -164,6 +164,12 @@ impl<'a> ClientTarget<'a> {
                     if reverse { number.swap_bytes().to_ne_bytes() } else { number.to_ne_bytes() }
                 });
             }
+            (Type::Float, format) if !swap && !format.is_luminance() => match *format.channels() {
+                [a, b, c, d] => each(groups, texels, |t| floats::<4, 16>(t, [a, b, c, d])),
+                [a, b, c] => each(groups, texels, |t| floats::<3, 12>(t, [a, b, c])),
+                [a] => each(groups, texels, |t| floats::<1, 4>(t, [a])),
+                _ => return false,
+            },
             _ => return false,
         }
         true
@@ -240,6 +246,27 @@ impl<'a> ClientTarget<'a> {
             (bits << 8 | transfer.stencil(stencil.into()) & 0xFF).write(group, swap);
         }
     }
+}
+
+/// Bytes as fractions of 255.
+static FRACTIONS: [f32; 256] = {
+    let mut fractions = [0.0; 256];
+    let mut i = 0;
+    while i < 256 {
+        fractions[i] = i as f32 / 255.0;
+        i += 1;
+    }
+    fractions
+};
+
+/// Some channels of a texel as floats.
+#[inline(always)]
+fn floats<const N: usize, const BYTES: usize>(texel: u32, channels: [usize; N]) -> [u8; BYTES] {
+    let mut bytes = [0; BYTES];
+    for (to, channel) in bytes.as_chunks_mut::<4>().0.iter_mut().zip(channels) {
+        *to = FRACTIONS[usize::from((texel >> (8 * (channel & 3))) as u8)].to_ne_bytes();
+    }
+    bytes
 }
 
 fn each<const N: usize>(groups: &mut [u8], texels: &[u32], convert: impl Fn(u32) -> [u8; N]) {

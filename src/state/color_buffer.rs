@@ -4,7 +4,7 @@
 use crate::enums::{GL_ALWAYS, GL_COPY, GL_FRONT, GL_FUNC_ADD, GL_ONE, GL_ZERO, GLenum};
 
 /// The scissor box. The context sets its initial size to the window's.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scissor {
     /// `GL_SCISSOR_TEST`.
     pub enabled: bool,
@@ -19,7 +19,7 @@ pub struct Scissor {
 }
 
 /// Colour buffer state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColorBuffer {
     /// `GL_ALPHA_TEST`.
     pub alpha_test: bool,
@@ -82,7 +82,7 @@ impl Default for ColorBuffer {
 }
 
 /// Accumulation buffer state.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Accum {
     /// Clear value in [-1, 1].
     pub clear: [f32; 4],

@@ -5,7 +5,7 @@ use super::PerUnit;
 use crate::limits::MAX_TEXTURE_UNITS;
 
 /// Current vertex attributes and raster position.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Current {
     /// Primary colour RGBA.
     pub color: [f32; 4],
@@ -26,7 +26,7 @@ pub struct Current {
 }
 
 /// The current raster position (section 2.12).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RasterPos {
     /// Window coordinates x, y, z and clip w.
     pub position: [f64; 4],

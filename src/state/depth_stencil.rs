@@ -3,7 +3,7 @@
 use crate::enums::{GL_ALWAYS, GL_KEEP, GL_LESS, GLenum};
 
 /// Depth test.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Depth {
     /// `GL_DEPTH_TEST`.
     pub test: bool,
@@ -22,7 +22,7 @@ impl Default for Depth {
 }
 
 /// Stencil test.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stencil {
     /// `GL_STENCIL_TEST`.
     pub test: bool,

@@ -2,7 +2,7 @@
 //! grids. The maps stand in the order of their names: colour 4, index, normal, texture coordinates 1 to 4, vertex 3, 4.
 
 /// Enables, grids and maps.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eval {
     /// `GL_AUTO_NORMAL`.
     pub auto_normal: bool,

@@ -3,7 +3,7 @@
 use crate::enums::{GL_EXP, GL_FRAGMENT_DEPTH, GLenum};
 
 /// Fog parameters and the colour sum enable.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fog {
     /// `GL_FOG`.
     pub enabled: bool,

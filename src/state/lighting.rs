@@ -5,7 +5,7 @@ use crate::enums::{GL_AMBIENT_AND_DIFFUSE, GL_FRONT_AND_BACK, GL_SINGLE_COLOR, G
 use crate::limits::MAX_LIGHTS;
 
 /// Lighting, shading and materials.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lighting {
     /// `GL_LIGHTING`.
     pub enabled: bool,
@@ -26,7 +26,7 @@ pub struct Lighting {
 }
 
 /// Parameters of the lighting model (table 2.9, last group).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightModel {
     /// Ambient colour of the scene.
     pub ambient: [f32; 4],
@@ -39,7 +39,7 @@ pub struct LightModel {
 }
 
 /// A material (table 2.9, first group).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Ambient colour.
     pub ambient: [f32; 4],
@@ -56,7 +56,7 @@ pub struct Material {
 }
 
 /// A light source (table 2.9, second group).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// `GL_LIGHTi`.
     pub enabled: bool,

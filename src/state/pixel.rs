@@ -257,7 +257,7 @@ impl PixelTransfer {
 }
 
 /// The pixel group of the state (`GL_PIXEL_MODE_BIT`) but for the maps.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel {
     /// Scale, bias, shift, offset, map switches.
     pub transfer: PixelTransfer,

@@ -4,7 +4,7 @@
 use crate::enums::{GL_BACK, GL_CCW, GL_DONT_CARE, GL_FILL, GLenum};
 
 /// Points.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// Size in pixels.
     pub size: f32,
@@ -34,7 +34,7 @@ impl Default for Point {
 }
 
 /// Lines.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Width in pixels.
     pub width: f32,
@@ -55,7 +55,7 @@ impl Default for Line {
 }
 
 /// Polygons.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon {
     /// `GL_CULL_FACE`.
     pub cull: bool,
@@ -94,7 +94,7 @@ impl Default for Polygon {
 }
 
 /// The polygon stipple: row 0 is the lowest, the top bit of a row is its leftmost pixel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PolygonStipple(pub [u32; 32]);
 
 impl Default for PolygonStipple {
@@ -104,7 +104,7 @@ impl Default for PolygonStipple {
 }
 
 /// Multisampling state. The framebuffer has no sample buffers, so these are kept and reported only.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multisample {
     /// `GL_MULTISAMPLE`.
     pub enabled: bool,
@@ -134,7 +134,7 @@ impl Default for Multisample {
 }
 
 /// Hints (section 5.6).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hint {
     /// `GL_PERSPECTIVE_CORRECTION_HINT`.
     pub perspective_correction: GLenum,

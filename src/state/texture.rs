@@ -29,7 +29,7 @@ impl Target {
 }
 
 /// The state of all texture units.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct TextureState {
     /// The active unit, 0-based.
     pub active: usize,
@@ -38,7 +38,7 @@ pub struct TextureState {
 }
 
 /// One texture unit.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     /// Which targets are enabled, indexed by [`Target`].
     pub enabled: [bool; 5],
@@ -68,7 +68,7 @@ impl Default for Unit {
 }
 
 /// Texture environment (section 3.8.13).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Env {
     /// Environment mode.
     pub mode: GLenum,
@@ -101,7 +101,7 @@ impl Default for Env {
 }
 
 /// Generation of one texture coordinate (section 2.11.4).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gen {
     /// `GL_TEXTURE_GEN_S` and its siblings.
     pub enabled: bool,
@@ -114,7 +114,7 @@ pub struct Gen {
 }
 
 /// The parameters of a texture object (table 6.16).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TexParameters {
     /// Wraps of s, t, r.
     pub wrap: [GLenum; 3],

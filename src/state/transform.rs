@@ -101,7 +101,7 @@ impl Default for Transform {
 }
 
 /// Viewport rectangle and depth range. The size of the initial viewport is set by the context.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
     /// Left edge in pixels.
     pub x: i32,
