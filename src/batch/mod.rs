@@ -3,9 +3,11 @@
 //! compiled three times (baseline x86-64, AVX2, AVX-512) from one source, and one of the three is picked at start. Since
 //! rustc never contracts `a*b+c`, all three give the same bits.
 
+mod bits;
 mod counters;
 mod level;
 
+pub use bits::{BITS, Bits, count};
 pub use counters::{Counters, StageCount, Tally};
 pub use level::Level;
 

@@ -13,49 +13,119 @@ use crate::texture::near::Range;
 /// What rounding leaves of sums, products and quotients of this many parts in `f64`, generously (1 / D has 2^-45).
 const LOST: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// A plane along a row, in `f32` or `f64`.
+/// A linear function of the place, `(at + y dy) + x dx`; along a row y is among the rest.
 #[derive(Clone, Copy)]
-pub(super) struct Along<T> {
+pub(super) struct Terms<T> {
     at: T,
     x: T,
+    y: T,
+}
+
+impl Terms<f32> {
+    /// In a row, if there is one, and rounded.
+    #[inline(always)]
+    pub(super) fn new(f: &Linear, row: Option<f32>) -> Self {
+        let (at, x, y) = (f.at as f32, f.x as f32, f.y as f32);
+        Self { at: row.map_or(at, |row| at + y * row), x, y }
+    }
+}
+
+impl Terms<f64> {
+    #[inline(always)]
+    fn wide(f: &Linear, row: Option<f32>) -> Self {
+        Self { at: row.map_or(f.at, |row| f.at + f.y * f64::from(row)), x: f.x, y: f.y }
+    }
+}
+
+/// Where N pixels are, relative to the primitive's origin.
+pub(super) trait Place<const N: usize> {
+    /// A function at lane i.
+    fn sum(&self, f: &Terms<f32>, i: usize) -> f32;
+    /// The same in `f64`.
+    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64;
+}
+
+/// Pixels of a row from this x on.
+pub(super) struct From(pub f32);
+
+impl<const N: usize> Place<N> for From {
+    #[inline(always)]
+    fn sum(&self, f: &Terms<f32>, i: usize) -> f32 {
+        f.at + f.x * (self.0 + IOTA[i])
+    }
+
+    #[inline(always)]
+    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64 {
+        f.at + f.x * f64::from(self.0 + IOTA[i])
+    }
+}
+
+/// Pixels anywhere.
+pub(super) struct Points<const N: usize> {
+    pub x: [f32; N],
+    pub y: [f32; N],
+}
+
+impl<const N: usize> Place<N> for Points<N> {
+    #[inline(always)]
+    fn sum(&self, f: &Terms<f32>, i: usize) -> f32 {
+        (f.at + f.y * self.y[i]) + f.x * self.x[i]
+    }
+
+    #[inline(always)]
+    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64 {
+        (f.at + f.y * f64::from(self.y[i])) + f.x * f64::from(self.x[i])
+    }
+}
+
+/// A plane along a row or anywhere, in `f32` or `f64`.
+#[derive(Clone, Copy)]
+pub(super) struct Along<T> {
+    n: Terms<T>,
     c: T,
     min: T,
     max: T,
 }
 
+/// The numerator of a plane.
+#[inline(always)]
+fn numerator(p: &Plane) -> Linear {
+    Linear { at: p.n0, x: p.nx, y: p.ny }
+}
+
 impl Along<f32> {
-    /// A plane in the row y, relative to the primitive's origin.
+    /// A plane in a row, relative to the primitive's origin, if there is one.
     #[inline(always)]
-    pub(super) fn new(p: &Plane, y: f32) -> Self {
-        Self { at: p.n0 as f32 + p.ny as f32 * y, x: p.nx as f32, c: p.c, min: p.min, max: p.max }
+    pub(super) fn new(p: &Plane, row: Option<f32>) -> Self {
+        Self { n: Terms::new(&numerator(p), row), c: p.c, min: p.min, max: p.max }
     }
 
     /// A plane that is the same everywhere.
     #[inline(always)]
     pub(super) fn constant(v: f32) -> Self {
-        Self { at: 0.0, x: 0.0, c: v, min: v, max: v }
+        Self { n: Terms { at: 0.0, x: 0.0, y: 0.0 }, c: v, min: v, max: v }
     }
 
-    /// The value at x where w is the same everywhere.
+    /// The value at lane i where w is the same everywhere.
     #[inline(always)]
-    pub(super) fn even(&self, x: f32) -> f32 {
-        clamp_f32(self.c + (self.at + self.x * x), self.min, self.max)
+    pub(super) fn even<const N: usize>(&self, place: &impl Place<N>, i: usize) -> f32 {
+        clamp_f32(self.c + place.sum(&self.n, i), self.min, self.max)
     }
 
-    /// The value at x, 1 / D being `rq`.
+    /// The value at lane i, 1 / D being `rq`.
     #[inline(always)]
-    pub(super) fn divided(&self, x: f32, rq: f32) -> f32 {
-        clamp_f32(self.c + (self.at + self.x * x) * rq, self.min, self.max)
+    pub(super) fn divided<const N: usize>(&self, place: &impl Place<N>, i: usize, rq: f32) -> f32 {
+        clamp_f32(self.c + place.sum(&self.n, i) * rq, self.min, self.max)
     }
 }
 
 impl Along<f32> {
-    /// N / D from x on, with 1 / D.
+    /// N / D, with 1 / D.
     #[inline(always)]
-    pub(super) fn offsets<const N: usize>(&self, x: f32, rq: &[f32; N]) -> [f32; N] {
+    pub(super) fn offsets<const N: usize>(&self, place: &impl Place<N>, rq: &[f32; N]) -> [f32; N] {
         let mut t = [0.0; N];
         for i in 0..N {
-            t[i] = (self.at + self.x * (x + IOTA[i])) * rq[i];
+            t[i] = place.sum(&self.n, i) * rq[i];
         }
         t
     }
@@ -72,32 +142,32 @@ impl Along<f32> {
 }
 
 impl Along<f64> {
-    /// N / D from x on, with 1 / D.
+    /// N / D, with 1 / D.
     #[inline(always)]
-    pub(super) fn offsets<const N: usize>(&self, x: f32, rq: &[f64; N]) -> [f64; N] {
+    pub(super) fn offsets<const N: usize>(&self, place: &impl Place<N>, rq: &[f64; N]) -> [f64; N] {
         let mut t = [0.0; N];
         for i in 0..N {
-            t[i] = (self.at + self.x * f64::from(x + IOTA[i])) * rq[i];
+            t[i] = place.sum64(&self.n, i) * rq[i];
         }
         t
     }
 
     #[inline(always)]
-    fn wide(p: &Plane, y: f32) -> Self {
+    fn wide(p: &Plane, row: Option<f32>) -> Self {
         let [c, min, max] = [p.c, p.min, p.max].map(f64::from);
-        Self { at: p.n0 + p.ny * f64::from(y), x: p.nx, c, min, max }
+        Self { n: Terms::wide(&numerator(p), row), c, min, max }
     }
 
     /// Whether its limits change nothing from `x[0]` to `x[1]`, rounding included. With D > 0 the value rises or falls all the
     /// way, so the two ends are its least and its greatest. `terms`: what D is the sum of in the row, without signs.
     #[inline(always)]
-    fn inside(&self, p: &Plane, y: f32, x: [i32; 2], ([at, step], terms): (Divisor<f64>, f64)) -> bool {
+    fn inside(&self, p: &Plane, Run { x, y }: Run, (Terms { at, x: step, .. }, terms): (Divisor<f64>, f64)) -> bool {
         let far = f64::from(x[0]).abs() + f64::from(x[1]).abs();
         let terms = terms + step.abs() * far;
         let n_terms = p.n0.abs() + (p.ny * f64::from(y)).abs() + p.nx.abs() * far;
         let keeps_away = |x: i32| {
             let x = f64::from(x);
-            let (d, n) = (at + step * x, self.at + self.x * x);
+            let (d, n) = (at + step * x, self.n.at + self.n.x * x);
             let (rq, t) = (1.0 / (d - LOST * terms), n / d);
             let lost = LOST * (self.c.abs() + (n_terms + t.abs() * terms) * rq);
             let v = self.c + t;
@@ -133,18 +203,18 @@ impl Along<f64> {
     }
 }
 
-/// 1 / D from x on.
+/// 1 / D.
 #[inline(always)]
-pub(super) fn reciprocals<const N: usize>([at, step]: Divisor<f64>, x: f32) -> [f64; N] {
+pub(super) fn reciprocals<const N: usize>(d: &Divisor<f64>, place: &impl Place<N>) -> [f64; N] {
     let mut rq = [0.0; N];
     for i in 0..N {
-        rq[i] = reciprocal64(at + step * f64::from(x + IOTA[i]));
+        rq[i] = reciprocal64(place.sum64(d, i));
     }
     rq
 }
 
-/// D along a row: its value at 0 and its change.
-pub(super) type Divisor<T> = [T; 2];
+/// D.
+pub(super) type Divisor<T> = Terms<T>;
 
 /// Pixels of a row relative to the primitive's origin: the first and the last x, and y.
 #[derive(Clone, Copy, Debug)]
@@ -153,80 +223,102 @@ pub(super) struct Run {
     pub y: i32,
 }
 
+/// What planes are worked out for.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Extent {
+    /// A part of a row.
+    Row(Run),
+    /// Any rows of the primitive.
+    All,
+}
+
+impl Extent {
+    /// The row, if it is one.
+    #[inline(always)]
+    pub(super) fn row(&self) -> Option<f32> {
+        match self {
+            Self::Row(run) => Some(run.y as f32),
+            Self::All => None,
+        }
+    }
+}
+
 /// How the K coordinates of a unit come about.
 #[derive(Clone, Copy)]
 pub(super) enum Form<const K: usize> {
     /// w is the same everywhere.
     Even([Along<f32>; K]),
     /// They are divided by D.
-    Divided([Along<f32>; K], Divisor<f32>),
+    Divided([Along<f32>; K]),
     /// The same in `f64`; whether no coordinate of the run is to be limited.
     Wide([Along<f64>; K], Divisor<f64>, bool),
 }
 
 impl<const K: usize> Form<K> {
-    /// Coordinates of a run, relative to the primitive's origin.
+    /// Coordinates of pixels, relative to the primitive's origin.
     #[inline(always)]
-    pub(super) fn new(unit: &Unit<'_, K>, Run { x: ends, y }: Run) -> Self {
-        let Linear { at, x, y: up } = unit.divisor;
-        let y = y as f32;
+    pub(super) fn new(unit: &Unit<'_, K>, extent: Extent) -> Self {
+        let row = extent.row();
         if unit.wide {
-            let planes = unit.coords.each_ref().map(|p| Along::wide(p, y));
-            let d = [at + up * f64::from(y), x];
-            let terms = at.abs() + (up * f64::from(y)).abs();
-            let mut inside = true;
-            for k in 0..K {
-                inside &= planes[k].inside(&unit.coords[k], y, ends, (d, terms));
+            let planes = unit.coords.each_ref().map(|p| Along::wide(p, row));
+            let d = Terms::wide(&unit.divisor, row);
+            // Of several rows nobody has asked.
+            let mut inside = false;
+            if let Extent::Row(run) = extent {
+                let terms = unit.divisor.at.abs() + (unit.divisor.y * f64::from(run.y)).abs();
+                inside = true;
+                for k in 0..K {
+                    inside &= planes[k].inside(&unit.coords[k], run, (d, terms));
+                }
             }
             Self::Wide(planes, d, inside)
         } else if unit.planes.affine {
-            Self::Even(unit.coords.each_ref().map(|p| Along::new(p, y)))
+            Self::Even(unit.coords.each_ref().map(|p| Along::new(p, row)))
         } else {
-            Self::Divided(unit.coords.each_ref().map(|p| Along::new(p, y)), divisor(&unit.divisor, y))
+            Self::Divided(unit.coords.each_ref().map(|p| Along::new(p, row)))
         }
     }
 
     /// Whether they are divided by D in `f32`.
     #[inline(always)]
     pub(super) fn divides(&self) -> bool {
-        matches!(self, Self::Divided(..))
+        matches!(self, Self::Divided(_))
     }
 
-    /// The coordinates from x on; `rq` is 1 / D where they are divided by it in `f32`.
+    /// The coordinates; `rq` is 1 / D where they are divided by it in `f32`.
     #[inline(always)]
-    pub(super) fn values<const N: usize>(&self, x: f32, rq: &[f32; N], repeats: &[bool; K]) -> [[f32; N]; K] {
+    pub(super) fn values<const N: usize>(
+        &self,
+        place: &impl Place<N>,
+        rq: &[f32; N],
+        repeats: &[bool; K],
+    ) -> [[f32; N]; K] {
         let mut out = [[0.0; N]; K];
         match self {
             Self::Even(planes) => {
                 for k in 0..K {
                     for i in 0..N {
-                        out[k][i] = planes[k].even(x + IOTA[i]);
+                        out[k][i] = planes[k].even(place, i);
                     }
                 }
             }
-            Self::Divided(planes, _) => {
+            Self::Divided(planes) => {
                 for k in 0..K {
                     for i in 0..N {
-                        out[k][i] = planes[k].divided(x + IOTA[i], rq[i]);
+                        out[k][i] = planes[k].divided(place, i, rq[i]);
                     }
                 }
             }
             Self::Wide(planes, d, inside) => {
-                let rq: [f64; N] = reciprocals(*d, x);
+                let rq: [f64; N] = reciprocals(d, place);
                 for k in 0..K {
-                    let t = planes[k].offsets(x, &rq);
+                    let t = planes[k].offsets(place, &rq);
                     out[k] = planes[k].limited(&t, repeats[k], *inside);
                 }
             }
         }
         out
     }
-}
-
-/// D along the row y in `f32`.
-#[inline(always)]
-pub(super) fn divisor(d: &Linear, y: f32) -> Divisor<f32> {
-    [d.at as f32 + d.y as f32 * y, d.x as f32]
 }
 
 /// Between which numbers a coordinate is; `None` if it may not be finite.
@@ -272,7 +364,7 @@ mod tests {
             let (y, from, len) = ((300.0 * next()) as i32, (300.0 * next()) as i32, (31.9 * (next() + 1.0)) as i32);
             let run = Run { x: [from, from + len], y };
             let at = |p: &Plane, x: i32| {
-                let Along { at, x: step, c, .. } = Along::wide(p, y as f32);
+                let Along { n: Terms { at, x: step, .. }, c, .. } = Along::wide(p, Some(y as f32));
                 c + (at + step * f64::from(x))
                     * reciprocal64((divisor.at + divisor.y * f64::from(y)) + divisor.x * f64::from(x))
             };
@@ -283,7 +375,7 @@ mod tests {
             let planes = Planes { d: divisor, ..Planes::default() };
             let coords = [plane];
             let unit = Unit { planes: &planes, coords: &coords, divisor, has_q: false, wide: true };
-            let Form::Wide(_, _, free) = Form::new(&unit, run) else { panic!("wide") };
+            let Form::Wide(_, _, free) = Form::new(&unit, Extent::Row(run)) else { panic!("wide") };
             let fits = (run.x[0]..=run.x[1]).all(|x| {
                 let v = at(&plane, x);
                 v >= f64::from(plane.min) && v <= f64::from(plane.max)

@@ -110,6 +110,16 @@ pub(super) fn living<const N: usize>(mask: &[u32; N]) -> u32 {
     n
 }
 
+/// A bit for each lane that is alive, the lowest for the first one.
+#[inline(always)]
+pub(super) fn digits<const N: usize>(mask: &[u32; N]) -> u32 {
+    let mut bits = 0;
+    for i in 0..N {
+        bits |= mask[i] & (1 << i);
+    }
+    bits
+}
+
 /// Whether any lane is alive.
 #[inline(always)]
 pub(super) fn any<const N: usize>(mask: &[u32; N]) -> bool {

@@ -25,11 +25,11 @@ const LOST_RHO: f64 = 1.0 / (1u64 << 18) as f64;
 /// For how many pixels limits are asked for at most.
 const FARTHEST: u32 = 4096;
 
-/// Pixels of a row relative to the primitive's origin, both ends included.
+/// Pixels of some rows relative to the primitive's origin, both ends included.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     x: [f64; 2],
-    y: f64,
+    y: [f64; 2],
 }
 
 /// What is known of the run that a batch is a part of.
@@ -118,10 +118,15 @@ fn limits<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> O
     let d = &unit.divisor;
     let lost = if unit.wide { LOST_WIDE } else { LOST };
     let far = x[0].abs() + x[1].abs();
-    let start = d.at + d.y * y;
-    let at = [start + d.x * x[0], start + d.x * x[1]];
-    let terms = d.at.abs() + (d.y * y).abs() + d.x.abs() * far;
-    let [least, most] = ordered(at[0], at[1]);
+    let high = ordered(y[0].abs(), y[1].abs())[1];
+    let start = y.map(|y| d.at + d.y * y);
+    let at = x.map(|x| start[0] + d.x * x);
+    let terms = d.at.abs() + d.y.abs() * high + d.x.abs() * far;
+    let [mut least, mut most] = ordered(at[0], at[1]);
+    if y[0] < y[1] {
+        let [low, high] = ordered(start[1] + d.x * x[0], start[1] + d.x * x[1]);
+        (least, most) = (ordered(least, low)[0], ordered(most, high)[1]);
+    }
     let (least, most) = (least - lost * terms, most + lost * terms);
     if least.is_nan() || least <= 0.0 {
         return None;
@@ -130,18 +135,19 @@ fn limits<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> O
     let (mut across, mut up) = ([0.0f64; 2], [0.0f64; 2]);
     for k in 0..K {
         let p = &unit.coords[k];
-        let n = p.n0 + p.ny * y;
-        let kx = (p.nx * start - n * d.x).abs();
-        let ends = [0, 1].map(|i: usize| p.ny * at[i] - (n + p.nx * x[i]) * d.y);
-        let [low, high] = ordered(ends[0].abs(), ends[1].abs());
-        let low = if ends[0] * ends[1] > 0.0 { low } else { 0.0 };
-        let n_terms = p.n0.abs() + (p.ny * y).abs() + p.nx.abs() * far;
+        let n = y.map(|y| p.n0 + p.ny * y);
+        // The first is the same along a row, the second along a column; where they change their sign they are 0.
+        let kx = [0, 1].map(|i: usize| p.nx * start[i] - n[i] * d.x);
+        let ky = [0, 1].map(|i: usize| p.ny * at[i] - (n[0] + p.nx * x[i]) * d.y);
+        let n_terms = p.n0.abs() + p.ny.abs() * high + p.nx.abs() * far;
         let off = lost * ((p.nx.abs() + p.ny.abs()) * terms + n_terms * (d.x.abs() + d.y.abs()));
         let square = |v: f64| v * scale[k] * (v * scale[k]);
-        across[0] += square(positive(kx - off));
-        across[1] += square(kx + off);
-        up[0] += square(positive(low - off));
-        up[1] += square(high + off);
+        for (sums, ends) in [(&mut across, kx), (&mut up, ky)] {
+            let [low, high] = ordered(ends[0].abs(), ends[1].abs());
+            let low = if ends[0] * ends[1] > 0.0 { low } else { 0.0 };
+            sums[0] += square(positive(low - off));
+            sums[1] += square(high + off);
+        }
     }
     let [low, high] = [0, 1].map(|i: usize| ordered(across[i], up[i])[1]);
     let fourth = |d: f64| (d * d) * (d * d);
@@ -176,7 +182,7 @@ pub(super) fn of_row<const K: usize>(
     }
     let reach = ahead.reach[index].max(len);
     let pixels = if reach < ahead.left { reach } else { ahead.left };
-    match reads(b, unit, (x, y, pixels), levels) {
+    match reads(b, unit, along(x, y, pixels), levels) {
         Some(Reads::One(level)) => {
             ahead.levels[index] = (level, ahead.left - pixels);
             ahead.reach[index] = (2 * reach).min(FARTHEST);
@@ -209,7 +215,7 @@ pub(super) fn part<const K: usize>(
     let reach = ahead.reach.get_mut(index as usize)?;
     loop {
         let pixels = (*reach).max(LANES as u32).min(left);
-        if let Some(reads) = reads(b, unit, (x, y, pixels), levels) {
+        if let Some(reads) = reads(b, unit, along(x, y, pixels), levels) {
             *reach = (2 * *reach).clamp(LANES as u32, FARTHEST);
             ahead.told = Some((left, reads, pixels));
             return Some((reads, pixels));
@@ -221,23 +227,34 @@ pub(super) fn part<const K: usize>(
     }
 }
 
-/// The levels that so many pixels from (x, y) on read, if limits tell.
-#[inline(never)]
-fn reads<const K: usize>(
+/// So many pixels from (x, y) on.
+#[inline(always)]
+fn along(x: i32, y: i32, pixels: u32) -> Span {
+    let (x, y) = (f64::from(x), f64::from(y));
+    Span { x: [x, x + f64::from(pixels.saturating_sub(1))], y: [y; 2] }
+}
+
+/// What the pixels read whose x and y, relative to the primitive's origin, are in these limits; `None` where nothing tells.
+#[inline(always)]
+pub(super) fn of_rows<const K: usize>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
-    (x, y, pixels): (i32, i32, u32),
+    [x, y]: [[i32; 2]; 2],
     levels: &Levels,
 ) -> Option<Reads> {
+    reads(b, unit, Span { x: x.map(f64::from), y: y.map(f64::from) }, levels)
+}
+
+/// The levels that the pixels of a span read, if limits tell.
+#[inline(never)]
+fn reads<const K: usize>(b: &TexBatch, unit: &Unit<'_, K>, span: Span, levels: &Levels) -> Option<Reads> {
     // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
     if is_even(unit)
         && let Some((level, share)) = levels.exactly(even_rho2(unit, levels))
     {
         return Some(share.map_or(Reads::One(level), |share| Reads::Two(level, Share::Same(share))));
     }
-    let (x, y) = (f64::from(x), f64::from(y));
-    let last = x + f64::from(pixels.saturating_sub(1));
-    let Limits { rho2, axis } = limits(unit, Span { x: [x, last], y }, &levels.scale)?;
+    let Limits { rho2, axis } = limits(unit, span, &levels.scale)?;
     match levels.only(b, rho2) {
         Some(level) => Some(Reads::One(level)),
         None => Some(Reads::Two(levels.first_of_two(rho2)?, Share::By(axis))),
@@ -286,40 +303,43 @@ mod tests {
             let unit = Unit { planes: &planes, coords: &coords, divisor, has_q: false, wide: round % 2 == 0 };
             let (x, y) = ((300.0 * next()) as i32, (300.0 * next()) as i32);
             let len = 1 + (31.9 * (next() + 1.0)) as u32;
-            let row = Segment { len, x, y, row: true, ..Segment::default() };
+            // One row or several.
+            let last = y + round % 3;
             let scale = SLOTS.size.map(f64::from);
             let ends = [f64::from(x), f64::from(x) + f64::from(len - 1)];
-            let span = Span { x: ends, y: f64::from(y) };
+            let span = Span { x: ends, y: [f64::from(y), f64::from(last)] };
             let Some(Limits { rho2: [least, greatest], axis }) = limits(&unit, span, &[scale[0], scale[1], 0.0]) else {
                 continue;
             };
             known += 1;
             close += u32::from(greatest < 1.1 * least);
-            whole(
-                &mut b,
-                &unit,
-                &Row::new(&row, &planes),
-                &SLOTS,
-                First { computes: true, leaves: true, shared: false },
-                true,
-            );
-            for i in 0..LANES.min(len as usize) {
-                let span = |d: &[crate::texture::batch::Lanes; 3]| {
-                    let (s, t) = (d[0][i] * scale[0] as f32, d[1][i] * scale[1] as f32);
-                    s * s + t * t
-                };
-                let [across, up] = [span(&b.tex.ddx), span(&b.tex.ddy)];
-                let found = f64::from(across.max(up));
-                match axis {
-                    Axis::X => assert!(across >= up, "{round}, lane {i}: {across:e}, {up:e}"),
-                    Axis::Y => assert!(up >= across, "{round}, lane {i}: {across:e}, {up:e}"),
-                    Axis::Either => either += 1,
-                }
-                all += 1;
-                assert!(
-                    least <= found && found <= greatest,
-                    "{round}, lane {i}: {found:e} in {least:e} to {greatest:e}"
+            for y in y..=last {
+                whole(
+                    &mut b,
+                    &unit,
+                    &Row::new(&Segment { len, x, y, row: true, ..Segment::default() }, &planes),
+                    &SLOTS,
+                    First { computes: true, leaves: true, shared: false },
+                    true,
                 );
+                for i in 0..LANES.min(len as usize) {
+                    let span = |d: &[crate::texture::batch::Lanes; 3]| {
+                        let (s, t) = (d[0][i] * scale[0] as f32, d[1][i] * scale[1] as f32);
+                        s * s + t * t
+                    };
+                    let [across, up] = [span(&b.tex.ddx), span(&b.tex.ddy)];
+                    let found = f64::from(across.max(up));
+                    match axis {
+                        Axis::X => assert!(across >= up, "{round}, lane {i}: {across:e}, {up:e}"),
+                        Axis::Y => assert!(up >= across, "{round}, lane {i}: {across:e}, {up:e}"),
+                        Axis::Either => either += 1,
+                    }
+                    all += 1;
+                    assert!(
+                        least <= found && found <= greatest,
+                        "{round}, lane {i}: {found:e} in {least:e} to {greatest:e}"
+                    );
+                }
             }
         }
         assert!(2 * either < all, "{either} of {all} along either axis");

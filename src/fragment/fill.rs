@@ -3,7 +3,7 @@
 //! written, then the colour of what passed is computed and written. Blocks are of 64 pixels, the last of a run of 16.
 //! Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along;
+use super::along::{self, Extent, From, Place};
 use super::batch::{FragmentBatch, Segment};
 use super::buffers::write;
 use super::compare::{Func, compare, holds, living};
@@ -36,14 +36,14 @@ pub(super) trait Source {
     /// Whether what is there before is blended with.
     const BLENDS: bool = false;
 
-    /// The pixels from x on, relative to the primitive's origin; `out` holds what is there before where that is blended with.
-    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]);
+    /// The pixels at a place; `out` holds what is there before where that is blended with.
+    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]);
 
-    /// Writes the pixels from x on.
+    /// Writes the pixels of a row from x on, relative to the primitive's origin.
     #[inline(always)]
     fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
         let mut pixels = if Self::BLENDS { *to } else { [0; N] };
-        self.pixels(x, &mut pixels);
+        self.pixels(&From(x as f32), &mut pixels);
         *to = pixels;
     }
 
@@ -51,15 +51,15 @@ pub(super) trait Source {
     #[inline(always)]
     fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
         let mut pixels = if Self::BLENDS { *to } else { [0; N] };
-        self.pixels(x, &mut pixels);
+        self.pixels(&From(x as f32), &mut pixels);
         write(false, mask, &pixels, to);
     }
 }
 
 impl Source for Paint {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
-        Paint::pixels(self, x, out);
+    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+        Paint::pixels(self, place, out);
     }
 }
 
@@ -207,8 +207,8 @@ fn rest(run: &Segment, done: u32, len: u32) -> Segment {
 
 /// So many pixels from (x, y) on.
 #[inline(always)]
-fn along(x: i32, y: i32, n: u32) -> along::Run {
-    along::Run { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y }
+fn along(x: i32, y: i32, n: u32) -> Extent {
+    Extent::Row(along::Run { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y })
 }
 
 /// What gives the parts of a run that read the same levels of one unit's image their pixels.
@@ -223,10 +223,10 @@ pub(super) trait Parts<const K: usize> {
     fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, K>) -> Option<Self::Source>;
 }
 
-/// A part of a run.
+/// A part of a primitive.
 pub(super) struct Part<'a, const K: usize> {
     pub segment: Segment,
-    pub run: along::Run,
+    pub extent: Extent,
     pub unit: Unit<'a, K>,
     pub reads: Reads,
 }
@@ -250,8 +250,7 @@ fn parts<const K: usize, P: Parts<K>>(
         && let x = x.wrapping_add(done as i32)
         && let Some((reads, n)) = reads(b, u, (&unit, of.unit()), (x, y, segment.len - done))
     {
-        let run_of_part = along(x, y, n);
-        let part = Part { segment: rest(&segment, done, n), run: run_of_part, unit, reads };
+        let part = Part { segment: rest(&segment, done, n), extent: along(x, y, n), unit, reads };
         let Some(source) = of.source(u, w, &part) else { break };
         let depth = depth_test(planes, (x, y, n), u, arg);
         let did = run(w, &part.segment, x, &Run { depth, source: Some(source) }) as u32;

@@ -3,7 +3,7 @@
 //! texels and their mix follow each other block by block. Every number comes from the same expressions as in the stages of
 //! batches, so the bits are the same.
 
-use super::along::{Divisor, Form};
+use super::along::{Divisor, Form, Place};
 use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
 use super::fill_linear::{Environment, Level, Shown, divided};
@@ -34,13 +34,13 @@ impl<'a, const FORMAT: u8> Parts<2> for Between<'a, FORMAT> {
 
     #[inline(always)]
     fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::Source> {
-        let Part { segment, run, unit, reads } = part;
+        let Part { segment, extent, unit, reads } = part;
         let &Reads::Two(first, share) = reads else { return None };
-        let environment = Environment::of_run::<FORMAT, 2>(u, w, segment, run, unit, self.0)?;
+        let environment = Environment::of_run::<FORMAT, 2>(u, w, segment, *extent, unit, self.0)?;
         let mixing = Mixing::new(unit, u.levels.get(self.0.unit as usize)?.as_ref()?, first, share)?;
         let levels = [Level::new(self.1, first, unit)?, Level::new(self.1, first + 1, unit)?];
-        let form = Form::new(unit, *run);
-        let d = environment.divisor(form.divides(), unit.planes, run);
+        let form = Form::new(unit, *extent);
+        let d = environment.divisor(form.divides(), unit.planes, *extent);
         Some(TwoLevels { form, repeats: self.1.repeats, levels, mixing, environment, d })
     }
 }
@@ -68,18 +68,17 @@ pub(super) fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: 
 
 impl<const FORMAT: u8> Source for TwoLevels<'_, FORMAT> {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
-        let x = x as f32;
+    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
         let mut rw = [1.0; N];
-        if let Some(d) = self.d {
-            divided(d, x, &mut rw);
+        if let Some(d) = &self.d {
+            divided(d, place, &mut rw);
         }
-        let (coordinates, fractions) = self.mixing.values(&self.form, x, &rw, &self.repeats);
+        let (coordinates, fractions) = self.mixing.values(&self.form, place, &rw, &self.repeats);
         let (mut near, mut far) = ([[0.0; N]; 4], [[0.0; N]; 4]);
         self.levels[0].texels::<2, FORMAT, N>(&coordinates, 1.0, &mut near);
         self.levels[1].texels::<2, FORMAT, N>(&coordinates, 1.0, &mut far);
         let mix = |c: usize| mixed(&near[c], &far[c], &fractions);
         let mut texels = [mix(0), mix(1), mix(2), if FORMAT == RGB { [1.0; N] } else { mix(3) }];
-        self.environment.pixels::<N, false>(&mut texels, x, &rw, self.d.is_none(), out);
+        self.environment.pixels::<N, false>(&mut texels, place, &rw, self.d.is_none(), out);
     }
 }

@@ -3,7 +3,7 @@
 //! wraps, fetch, filter, environment, rounding and store follow each other block by block, without a batch in between. Every
 //! number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Along, Divisor, Form, Run, divisor, range};
+use super::along::{Along, Divisor, Extent, Form, Place, Terms, range};
 use super::batch::Segment;
 use super::blend::pair;
 use super::coordinates::Unit;
@@ -12,7 +12,6 @@ use super::fill::{Part, Parts, Source};
 use super::interpolate::primitive;
 use super::pack::{whole, whole_pixel};
 use super::planes::{Plane, Planes};
-use super::segments::IOTA;
 use super::texel::Step;
 use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
@@ -117,37 +116,37 @@ pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8
     d: Option<Divisor<f32>>,
 }
 
-/// 1 / D from x on.
+/// 1 / D.
 #[inline(always)]
-pub(super) fn divided<const N: usize>([at, step]: Divisor<f32>, x: f32, rw: &mut [f32; N]) {
+pub(super) fn divided<const N: usize>(d: &Divisor<f32>, place: &impl Place<N>, rw: &mut [f32; N]) {
     for i in 0..N {
-        rw[i] = 1.0 / (at + step * (x + IOTA[i]));
+        rw[i] = 1.0 / place.sum(d, i);
     }
 }
 
 /// The values of a plane from x on; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
 #[inline(always)]
-pub(super) fn primary<const N: usize>(p: &Along<f32>, x: f32, rw: &[f32; N], even: bool) -> [f32; N] {
+pub(super) fn primary<const N: usize>(p: &Along<f32>, place: &impl Place<N>, rw: &[f32; N], even: bool) -> [f32; N] {
     let mut out = [0.0; N];
     if even {
         for i in 0..N {
-            out[i] = p.even(x + IOTA[i]);
+            out[i] = p.even(place, i);
         }
     } else {
         for i in 0..N {
-            out[i] = p.divided(x + IOTA[i], rw[i]);
+            out[i] = p.divided(place, i, rw[i]);
         }
     }
     out
 }
 
 impl Environment {
-    /// What the steps come to with these planes of the primary colour in the row y.
+    /// What the steps come to with these planes of the primary colour, in a row if there is one.
     #[inline(always)]
     fn new<const FORMAT: u8>(
         shown: &Shown,
         planes: Option<&[Plane; 4]>,
-        y: f32,
+        row: Option<f32>,
         (scale, or): (f32, u32),
     ) -> Option<Self> {
         let ([color, alpha], blend) = (shown.steps, shown.blend.map(|number| (number, scale)));
@@ -157,7 +156,7 @@ impl Environment {
                 let [r, g, b, _] = planes?;
                 // A product with 1 is what it was.
                 let white = [r, g, b].iter().all(|p| p.min == 1.0 && p.max == 1.0);
-                (!white).then(|| [Along::new(r, y), Along::new(g, y), Along::new(b, y)])
+                (!white).then(|| [Along::new(r, row), Along::new(g, row), Along::new(b, row)])
             }
             Step::Stays => return None,
         };
@@ -171,9 +170,9 @@ impl Environment {
                 let known = a.min == a.max;
                 match step {
                     Step::Product if !one && a.min == 1.0 && known => (Primary::Texel, 0.0),
-                    Step::Product if !one => (Primary::Product(Along::new(a, y)), 0.0),
+                    Step::Product if !one => (Primary::Product(Along::new(a, row)), 0.0),
                     _ if known => (Primary::Constant, a.max),
-                    _ => (Primary::Stays(Along::new(a, y)), 0.0),
+                    _ => (Primary::Stays(Along::new(a, row)), 0.0),
                 }
             }
         };
@@ -184,26 +183,26 @@ impl Environment {
         Some(Self { color: channels, alpha, or: or | whole(255.0 * constant) << 24, blend })
     }
 
-    /// [`Environment::new`] for a run; `None` as well where something is interpolated that needs `f64`.
+    /// [`Environment::new`] for a part of a primitive; `None` as well where something is interpolated that needs `f64`.
     #[inline(always)]
     pub(super) fn of_run<const FORMAT: u8, const K: usize>(
         u: &FragUniforms,
         w: &Work<'_, '_>,
         segment: &Segment,
-        run: &Run,
+        extent: Extent,
         unit: &Unit<'_, K>,
         shown: &Shown,
     ) -> Option<Self> {
         let colors = u.layout.color.and_then(|slot| primitive::<4>(w, segment, slot)).map(|(_, planes)| planes);
-        let environment = Self::new::<FORMAT>(shown, colors, run.y as f32, (u.scale, u.packed_or))?;
+        let environment = Self::new::<FORMAT>(shown, colors, extent.row(), (u.scale, u.packed_or))?;
         let wide = environment.interpolates() && unit.planes.wide & Planes::WIDE_W != 0;
         (!wide).then_some(environment)
     }
 
-    /// D along a run, if coordinates (`divides`) or what is interpolated here are divided by it in `f32`.
+    /// D, if coordinates (`divides`) or what is interpolated here are divided by it in `f32`.
     #[inline(always)]
-    pub(super) fn divisor(&self, divides: bool, planes: &Planes, run: &Run) -> Option<Divisor<f32>> {
-        ((divides || self.interpolates()) && !planes.affine).then(|| divisor(&planes.d, run.y as f32))
+    pub(super) fn divisor(&self, divides: bool, planes: &Planes, extent: Extent) -> Option<Divisor<f32>> {
+        ((divides || self.interpolates()) && !planes.affine).then(|| Terms::new(&planes.d, extent.row()))
     }
 
     /// Whether it reads planes that are interpolated.
@@ -211,12 +210,12 @@ impl Environment {
         self.color.is_some() || matches!(self.alpha, Primary::Product(_) | Primary::Stays(_))
     }
 
-    /// The pixels from x on of texels in 0..=1; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
+    /// The pixels of texels in 0..=1; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
     #[inline(always)]
     pub(super) fn pixels<const N: usize, const BLENDED: bool>(
         &self,
         texels: &mut [[f32; N]; 4],
-        x: f32,
+        place: &impl Place<N>,
         rw: &[f32; N],
         even: bool,
         out: &mut [u32; N],
@@ -225,19 +224,19 @@ impl Environment {
         match &self.alpha {
             Primary::Texel => {}
             Primary::Product(plane) => {
-                let so_far = primary(plane, x, rw, even);
+                let so_far = primary(plane, place, rw, even);
                 for i in 0..N {
                     a[i] *= so_far[i];
                 }
             }
-            Primary::Stays(plane) => *a = primary(plane, x, rw, even),
+            Primary::Stays(plane) => *a = primary(plane, place, rw, even),
             Primary::Constant => *a = [0.0; N],
         }
         let or = self.or;
         if BLENDED && let Some((number, scale)) = self.blend {
             if let Some([red, green, blue]) = &self.color {
                 for (channel, plane) in [r, g, b].into_iter().zip([red, green, blue]) {
-                    let so_far = primary(plane, x, rw, even);
+                    let so_far = primary(plane, place, rw, even);
                     for i in 0..N {
                         channel[i] *= so_far[i];
                     }
@@ -247,9 +246,9 @@ impl Environment {
             return pair(texels, &dst, (scale, or), out, number);
         }
         if let Some([red, green, blue]) = &self.color {
-            let red = primary(red, x, rw, even);
-            let green = primary(green, x, rw, even);
-            let blue = primary(blue, x, rw, even);
+            let red = primary(red, place, rw, even);
+            let green = primary(green, place, rw, even);
+            let blue = primary(blue, place, rw, even);
             for i in 0..N {
                 let (r, g, b) = (r[i] * red[i], g[i] * green[i], b[i] * blue[i]);
                 out[i] = whole_pixel(255.0 * r, 255.0 * g, 255.0 * b, 255.0 * a[i]) | or;
@@ -323,15 +322,15 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: boo
     fn new(
         u: &FragUniforms,
         w: &Work<'_, '_>,
-        Part { segment, run, unit, reads }: &Part<'_, K>,
+        Part { segment, extent, unit, reads }: &Part<'_, K>,
         shown: &Shown,
         image: &'a WrappedImage<K>,
     ) -> Option<Self> {
         let &Reads::One(level) = reads else { return None };
-        let environment = Environment::of_run::<FORMAT, K>(u, w, segment, run, unit, shown)?;
+        let environment = Environment::of_run::<FORMAT, K>(u, w, segment, *extent, unit, shown)?;
         let level = Level::new(image, level, unit)?;
-        let form = Form::new(unit, *run);
-        let d = environment.divisor(form.divides(), unit.planes, run);
+        let form = Form::new(unit, *extent);
+        let d = environment.divisor(form.divides(), unit.planes, *extent);
         Some(Self { form, repeats: image.repeats, level, environment, d })
     }
 }
@@ -342,15 +341,14 @@ impl<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> S
     const BLENDS: bool = BLENDED;
 
     #[inline(always)]
-    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
-        let x = x as f32;
+    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
         let mut rw = [1.0; N];
-        if let Some(d) = self.d {
-            divided(d, x, &mut rw);
+        if let Some(d) = &self.d {
+            divided(d, place, &mut rw);
         }
-        let coordinates = self.form.values(x, &rw, &self.repeats);
+        let coordinates = self.form.values(place, &rw, &self.repeats);
         let mut texels = [[0.0; N]; 4];
         self.level.texels::<ROWS, FORMAT, N>(&coordinates, INV_255, &mut texels);
-        self.environment.pixels::<N, BLENDED>(&mut texels, x, &rw, self.d.is_none(), out);
+        self.environment.pixels::<N, BLENDED>(&mut texels, place, &rw, self.d.is_none(), out);
     }
 }

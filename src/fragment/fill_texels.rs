@@ -4,11 +4,10 @@
 //! positions to texels without a batch in between, and where all its fragments are alive texels are copied straight into
 //! the framebuffer. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Form, Run, range};
+use super::along::{Divisor, Extent, Form, From, Place, Terms, range};
 use super::coordinates::Unit;
 use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
-use super::segments::IOTA;
 use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::{self, neighbours};
 use crate::texture::near::Near;
@@ -26,6 +25,8 @@ pub struct Copied {
 /// What all blocks of a run need to find their texels.
 pub(super) struct Texels<'a> {
     form: Form<2>,
+    /// D, if coordinates are divided by it in `f32`.
+    d: Option<Divisor<f32>>,
     column: Near,
     row: Near,
     repeats: [bool; 2],
@@ -46,7 +47,7 @@ impl<'a> Parts<2> for &'a Copied {
     #[inline(always)]
     fn source(&self, u: &FragUniforms, _w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Texels<'a>> {
         let Reads::One(level) = part.reads else { return None };
-        Texels::new(&part.unit, &self.from, level, part.run, u.packed_or)
+        Texels::new(&part.unit, &self.from, level, part.extent, u.packed_or)
     }
 }
 
@@ -54,12 +55,14 @@ impl<'a> Texels<'a> {
     /// The texels, of a level, of a run; `None` where something is not as it is as a rule: coordinates that are not finite or
     /// too far from 0 for the simple wrap.
     #[inline(always)]
-    fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, run: Run, or: u32) -> Option<Self> {
+    fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, extent: Extent, or: u32) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
         let wrap = |k: usize| Near::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
         let (column, row) = (wrap(0)?, wrap(1)?);
         let (origin, stride, texels) = (level.origin, level.stride, filter::texels(level));
-        Some(Self { form: Form::new(unit, run), column, row, repeats, origin, stride, texels, or })
+        let form = Form::new(unit, extent);
+        let d = form.divides().then(|| Terms::new(&unit.divisor, extent.row()));
+        Some(Self { form, d, column, row, repeats, origin, stride, texels, or })
     }
 
     /// Where the texel at (s, t) is.
@@ -69,27 +72,24 @@ impl<'a> Texels<'a> {
         start.wrapping_add(self.column.index(s))
     }
 
-    /// Where the texels are of the pixels from x on.
+    /// Where the texels of pixels are.
     #[inline(always)]
-    fn places<const N: usize>(&self, x: i32) -> [u32; N] {
-        let x = x as f32;
+    fn places<const N: usize>(&self, place: &impl Place<N>) -> [u32; N] {
         let mut at = [0; N];
-        match &self.form {
-            Form::Even([s, t]) => {
+        match (&self.form, &self.d) {
+            (Form::Even([s, t]), _) => {
                 for i in 0..N {
-                    let dx = x + IOTA[i];
-                    at[i] = self.place(s.even(dx), t.even(dx));
+                    at[i] = self.place(s.even(place, i), t.even(place, i));
                 }
             }
-            Form::Divided([s, t], [d_at, d_x]) => {
+            (Form::Divided([s, t]), Some(d)) => {
                 for i in 0..N {
-                    let dx = x + IOTA[i];
-                    let rq = 1.0 / (d_at + d_x * dx);
-                    at[i] = self.place(s.divided(dx, rq), t.divided(dx, rq));
+                    let rq = 1.0 / place.sum(d, i);
+                    at[i] = self.place(s.divided(place, i, rq), t.divided(place, i, rq));
                 }
             }
-            Form::Wide(..) => {
-                let [s, t] = self.form.values(x, &[1.0; N], &self.repeats);
+            _ => {
+                let [s, t] = self.form.values(place, &[1.0; N], &self.repeats);
                 for i in 0..N {
                     at[i] = self.place(s[i], t[i]);
                 }
@@ -112,13 +112,13 @@ impl<'a> Texels<'a> {
 
 impl Source for Texels<'_> {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
-        self.found(&self.places::<N>(x), out);
+    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+        self.found(&self.places(place), out);
     }
 
     #[inline(always)]
     fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let at = self.places::<N>(x);
+        let at = self.places::<N>(&From(x as f32));
         if let Form::Even(_) = self.form
             && let Some(run) =
                 neighbours(&at).and_then(|first| self.texels.get(first..)).and_then(|t| t.first_chunk::<N>())

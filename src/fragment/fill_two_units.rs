@@ -3,7 +3,7 @@
 //! first one gives, as light maps are. Every number comes from the same expressions as in the stages of batches, so the bits
 //! are the same.
 
-use super::along::{Along, Divisor, Form};
+use super::along::{Along, Divisor, Form, Place};
 use super::coordinates::unit;
 use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
@@ -50,7 +50,7 @@ impl<'a> Parts<2> for TwoImages<'a> {
 
     #[inline(always)]
     fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<TwoUnits<'a>> {
-        let mut environment = Environment::of_run::<RGB, 2>(u, w, &part.segment, &part.run, &part.unit, self.shown)?;
+        let mut environment = Environment::of_run::<RGB, 2>(u, w, &part.segment, part.extent, &part.unit, self.shown)?;
         let (level, between) = match part.reads {
             Reads::One(level) => (level, None),
             Reads::Two(level, share) => {
@@ -61,10 +61,10 @@ impl<'a> Parts<2> for TwoImages<'a> {
         };
         let slots = u.layout.units.get(self.last.unit as usize)?.as_ref()?;
         let last_unit = unit::<2>(w, &part.segment, slots, self.last.unit)?;
-        let first = Filtered::new(Form::new(&part.unit, part.run), self.first, level, &part.unit)?;
-        let last = Filtered::new(Form::new(&last_unit, part.run), &self.last.image, 0, &last_unit)?;
+        let first = Filtered::new(Form::new(&part.unit, part.extent), self.first, level, &part.unit)?;
+        let last = Filtered::new(Form::new(&last_unit, part.extent), &self.last.image, 0, &last_unit)?;
         let divides = first.form.divides() || last.form.divides();
-        let d = environment.divisor(divides, part.unit.planes, &part.run);
+        let d = environment.divisor(divides, part.unit.planes, part.extent);
         let color = environment.color.take();
         Some(TwoUnits { first, between, color, last, environment, d })
     }
@@ -115,16 +115,15 @@ fn times<const N: usize>(channel: &[f32; N], by: &[f32; N]) -> [f32; N] {
 
 impl Source for TwoUnits<'_> {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
-        let x = x as f32;
+    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
         let (mut rw, even) = ([1.0; N], self.d.is_none());
-        if let Some(d) = self.d {
-            divided(d, x, &mut rw);
+        if let Some(d) = &self.d {
+            divided(d, place, &mut rw);
         }
         let (first, last) = (&self.first, &self.last);
         let mut texels = [[0.0; N]; 4];
         if let Some((level, mixing)) = &self.between {
-            let (coordinates, fractions) = mixing.values(&first.form, x, &rw, &first.repeats);
+            let (coordinates, fractions) = mixing.values(&first.form, place, &rw, &first.repeats);
             let (mut near, mut far) = ([[0.0; N]; 4], [[0.0; N]; 4]);
             first.level.texels::<2, RGB, N>(&coordinates, 1.0, &mut near);
             level.texels::<2, RGB, N>(&coordinates, 1.0, &mut far);
@@ -132,20 +131,20 @@ impl Source for TwoUnits<'_> {
                 texels[c] = mixed(&near[c], &far[c], &fractions);
             }
         } else {
-            let coordinates = first.form.values(x, &rw, &first.repeats);
+            let coordinates = first.form.values(place, &rw, &first.repeats);
             first.level.texels::<2, RGB, N>(&coordinates, INV_255, &mut texels);
         }
         if let Some(planes) = &self.color {
             for c in 0..3 {
-                texels[c] = times(&texels[c], &primary(&planes[c], x, &rw, even));
+                texels[c] = times(&texels[c], &primary(&planes[c], place, &rw, even));
             }
         }
-        let coordinates = last.form.values(x, &rw, &last.repeats);
+        let coordinates = last.form.values(place, &rw, &last.repeats);
         let mut light = [[0.0; N]; 4];
         last.level.texels::<2, RGB, N>(&coordinates, INV_255, &mut light);
         for c in 0..3 {
             texels[c] = times(&texels[c], &light[c]);
         }
-        self.environment.pixels::<N, false>(&mut texels, x, &rw, even, out);
+        self.environment.pixels::<N, false>(&mut texels, place, &rw, even, out);
     }
 }

@@ -3,7 +3,7 @@
 //! fraction, and where they say along which axis rho is greater, the derivatives of that one are enough. Every number comes
 //! from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::Form;
+use super::along::{Form, Place};
 use super::coordinates::Unit;
 use super::detail::{Axis, Share};
 use crate::num::{log2_f32, max_f32};
@@ -109,23 +109,23 @@ impl<const K: usize> Mixing<K> {
         rho2
     }
 
-    /// The coordinates from x on, and the weights of the second level; `rw` is 1 / D where it is needed in `f32`.
+    /// The coordinates, and the weights of the second level; `rw` is 1 / D where it is needed in `f32`.
     #[inline(always)]
     pub(super) fn values<const N: usize>(
         &self,
         form: &Form<K>,
-        x: f32,
+        place: &impl Place<N>,
         rw: &[f32; N],
         repeats: &[bool; K],
     ) -> ([[f32; N]; K], [f32; N]) {
         let (mut out, mut rho2) = ([[0.0; N]; K], [0.0; N]);
         match (&self.lambda, form) {
-            (Lambda::Same(fraction), _) => return (form.values(x, rw, repeats), [*fraction; N]),
+            (Lambda::Same(fraction), _) => return (form.values(place, rw, repeats), [*fraction; N]),
             (lambda, Form::Wide(planes, d, inside)) => {
-                let rq = super::along::reciprocals(*d, x);
+                let rq = super::along::reciprocals(d, place);
                 let mut t = [[0.0; N]; K];
                 for k in 0..K {
-                    t[k] = planes[k].offsets(x, &rq);
+                    t[k] = planes[k].offsets(place, &rq);
                     out[k] = planes[k].limited(&t[k], repeats[k], *inside);
                 }
                 match lambda {
@@ -139,10 +139,10 @@ impl<const K: usize> Mixing<K> {
                     Lambda::Same(_) => {}
                 }
             }
-            (lambda, Form::Even(planes) | Form::Divided(planes, _)) => {
+            (lambda, Form::Even(planes) | Form::Divided(planes)) => {
                 let mut t = [[0.0; N]; K];
                 for k in 0..K {
-                    t[k] = planes[k].offsets(x, rw);
+                    t[k] = planes[k].offsets(place, rw);
                     out[k] = planes[k].limited(&t[k]);
                 }
                 match lambda {

@@ -15,6 +15,7 @@ mod detail;
 mod fill;
 mod fill_levels;
 mod fill_linear;
+mod fill_rows;
 mod fill_texels;
 mod fill_two_units;
 mod float_store;

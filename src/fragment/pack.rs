@@ -3,11 +3,12 @@
 //! Where nothing comes between interpolation and the store, [`COLOR_PACKED`] does both at once: a primitive of one colour
 //! is rounded once for a whole segment, others are rounded in registers.
 
+use super::along::{Divisor, From, Place, Terms};
 use super::batch::FragmentBatch;
 use super::buffers::{load, places, store};
 use super::interpolate::{FIRST, group, primitive, reciprocals, value, value_of_member};
-use super::planes::{Plane, Planes};
-use super::segments::{CHUNK, IOTA, pieces, positions, put, row_origin, single_row};
+use super::planes::{Linear, Plane, Planes};
+use super::segments::{CHUNK, pieces, positions, put, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::batch::{LANES, stage};
 use crate::num::{clamp_f32, clamp01, round_to_int};
@@ -50,11 +51,10 @@ pub(super) fn constant(pool: &[Plane; 4]) -> Option<u32> {
     if flat { Some(pixel(byte(r.max), byte(g.max), byte(b.max), byte(a.max))) } else { None }
 }
 
-/// A colour plane along a row: at + x dx, plus c, between min and max.
+/// A colour plane along a row: a linear function, plus c, between min and max.
 #[derive(Clone, Copy)]
 struct Run {
-    at: f32,
-    x: f32,
+    n: Terms<f32>,
     c: f32,
     min: f32,
     max: f32,
@@ -64,8 +64,8 @@ impl Run {
     /// The plane in row y. Limits within [0, 1] save limiting the value once more.
     #[inline(always)]
     fn new(p: &Plane, y: f32) -> Self {
-        let at = p.n0 as f32 + p.ny as f32 * y;
-        Self { at, x: p.nx as f32, c: p.c, min: clamp01(p.min), max: clamp01(p.max) }
+        let n = Terms::new(&Linear { at: p.n0, x: p.nx, y: p.ny }, Some(y));
+        Self { n, c: p.c, min: clamp01(p.min), max: clamp01(p.max) }
     }
 
     /// 255 times the channel of a value of the numerator, already multiplied with 1 / D.
@@ -89,7 +89,7 @@ pub(super) enum Paint {
 pub(super) struct Smooth {
     channels: [Run; 4],
     /// D along the row and its change, where it is not 1.
-    d: Option<[f32; 2]>,
+    d: Option<Divisor<f32>>,
     /// Alpha is constant and stands in `or`.
     opaque: bool,
     or: u32,
@@ -109,40 +109,36 @@ impl Paint {
         let y = y as f32;
         let opaque = alpha.min == alpha.max;
         let channels = [Run::new(&pool[0], y), Run::new(&pool[1], y), Run::new(&pool[2], y), Run::new(&pool[3], y)];
-        let d = [(planes.d.at as f32) + (planes.d.y as f32) * y, planes.d.x as f32];
-        let d = if planes.affine { None } else { Some(d) };
+        let d = if planes.affine { None } else { Some(Terms::new(&planes.d, Some(y))) };
         let or = if opaque { or | byte(alpha.max) << 24 } else { or };
         Some(Self::Smooth(Smooth { channels, d, opaque, or }))
     }
 
-    /// The pixels from x, relative to the primitive's origin, on.
+    /// The pixels at a place.
     #[inline(always)]
-    pub(super) fn pixels<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+    pub(super) fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
         match self {
             Self::Flat(packed) => *out = [*packed; N],
-            Self::Smooth(smooth) if smooth.opaque => smooth.pixels::<true, N>(x, out),
-            Self::Smooth(smooth) => smooth.pixels::<false, N>(x, out),
+            Self::Smooth(smooth) if smooth.opaque => smooth.pixels::<true, N>(place, out),
+            Self::Smooth(smooth) => smooth.pixels::<false, N>(place, out),
         }
     }
 }
 
 impl Smooth {
     #[inline(always)]
-    fn pixels<const OPAQUE: bool, const N: usize>(&self, x: i32, out: &mut [u32; N]) {
-        let x = x as f32;
+    fn pixels<const OPAQUE: bool, const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
         let [red, green, blue, alpha] = self.channels;
-        if let Some([d_at, d_x]) = self.d {
+        if let Some(d) = &self.d {
             for i in 0..N {
-                let dx = x + IOTA[i];
-                let rw = 1.0 / (d_at + d_x * dx);
-                let v = |run: &Run| run.times_255((run.at + run.x * dx) * rw);
+                let rw = 1.0 / place.sum(d, i);
+                let v = |run: &Run| run.times_255(place.sum(&run.n, i) * rw);
                 let a = if OPAQUE { 0.0 } else { v(&alpha) };
                 out[i] = whole_pixel(v(&red), v(&green), v(&blue), a) | self.or;
             }
         } else {
             for i in 0..N {
-                let dx = x + IOTA[i];
-                let v = |run: &Run| run.times_255(run.at + run.x * dx);
+                let v = |run: &Run| run.times_255(place.sum(&run.n, i));
                 let a = if OPAQUE { 0.0 } else { v(&alpha) };
                 out[i] = whole_pixel(v(&red), v(&green), v(&blue), a) | self.or;
             }
@@ -158,7 +154,7 @@ fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, a
         && let (x, y) = row_origin(&b.segments[0], planes)
         && let Some(paint) = Paint::new(planes, pool, y, or)
     {
-        paint.pixels(x, &mut b.packed);
+        paint.pixels(&From(x as f32), &mut b.packed);
         return;
     }
     for s in 0..b.segment_count.min(LANES) {

@@ -99,6 +99,8 @@ pub struct Program {
     pub(super) fill: Option<Step<FragFn>>,
     /// The stage that does parts of runs which that one leaves, because two levels of a texture are blended.
     pub(super) fill_levels: Option<Step<FragFn>>,
+    /// The stage that does rows of a primitive that are too short for those two, and the one that does what it leaves.
+    pub(super) rows: [Option<Step<FragFn>>; 2],
     /// Whether the stage for whole runs reads no texture.
     pub(super) light: bool,
     /// Whether the stages for whole runs leave parts of which batches must find out the levels.
@@ -119,6 +121,8 @@ pub struct Program {
 const FILLED: u32 = 8;
 /// The same of a stage that shows a texture: shorter runs of several rows make a batch that is computed as a whole.
 const SHOWN: u32 = 48;
+/// Shorter rows than this are done together with the others of their primitive.
+const COLLECTED: u32 = 128;
 /// From this length on a run, or what is left of it, is worth a batch of its own: stages that compute whole rows are
 /// faster than those that go over the pieces of several, but compute unused lanes as well.
 const SPLIT: u32 = 32;
@@ -184,6 +188,38 @@ impl Program {
             (Some(_), false) => SHOWN,
             _ => SPLIT,
         }
+    }
+
+    /// Shorter runs than this may be collected, those of one primitive at a time, and given to [`rows`](Self::rows).
+    #[must_use]
+    pub fn rows_below(&self) -> u32 {
+        if self.rows[0].is_some() { COLLECTED } else { 0 }
+    }
+
+    /// Works on rows of one primitive, the segments of the batch; gives whether it has: otherwise they must come one by one.
+    #[inline]
+    pub fn rows<'a>(
+        &self,
+        batch: &mut FragmentBatch,
+        planes: &'a [Planes],
+        pool: impl Into<PlanePool<'a>>,
+        band: &mut Band<'_>,
+    ) -> bool {
+        if self.raises_depth {
+            band.coarse.forget();
+        }
+        let mut work = Work { planes, pool: pool.into(), band };
+        for step in self.rows.iter().flatten() {
+            #[expect(unsafe_code, reason = "the level was checked when the program was built")]
+            // SAFETY: a program is built for no level that the processor does not have.
+            unsafe {
+                (step.run)(batch, &self.uniforms, &mut work, step.arg);
+            }
+            if batch.tex.n > 0 {
+                return true;
+            }
+        }
+        false
     }
 
     /// About what a pixel of a large primitive costs, in pixels of one colour: enough to tell whether its rows are worth

@@ -57,6 +57,10 @@ impl<P: Shader> Sink for Target<'_, '_, P> {
     fn row(&mut self, batch: &mut FragmentBatch, run: Segment) -> u32 {
         self.program.row(batch, run, self.planes, self.pool, self.band)
     }
+
+    fn rows(&mut self, batch: &mut FragmentBatch) -> bool {
+        self.program.rows(batch, self.planes, self.pool, self.band)
+    }
 }
 
 /// Walks a scene over a framebuffer.
@@ -175,6 +179,7 @@ impl<P: Shader> Flush<'_, P> {
                 to.smooth = draw.program.coverage();
                 to.ordered = draw.program.ordered();
                 to.row_from(draw.program.row_from());
+                to.rows_below(draw.program.rows_below());
             }
             to.primitive(i, of.origin, of.member.is_some());
             match prim.cover {
@@ -211,7 +216,10 @@ impl<P: Shader> Flush<'_, P> {
             Cover::Edges(i) => {
                 let Some(edges) = geometry.edges.get(i as usize) else { return };
                 match stipple {
-                    None => edges.spans(rows.clone(), |x, y, len| to.run(x, y, len, 1.0, sink)),
+                    None => {
+                        edges.spans(rows.clone(), |x, y, len| to.collect(x, y, len, sink));
+                        to.collected(sink);
+                    }
                     Some(pattern) => edges.spans(rows.clone(), |x, y, len| {
                         to.stippled(x, y, len, pattern[y as usize & 31], 1.0, sink);
                     }),

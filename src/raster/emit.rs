@@ -2,9 +2,10 @@
 //! primitive each: long runs as row segments, short ones lane by lane behind each other. It hands the batch on when it is
 //! full or when a pixel would be in it twice: within a batch stages see all lanes at once, so what must happen in order
 //! may not share a batch. Where a batch is cut changes no bit of the result. Long runs go past the batch straight to the
-//! sink, so that nearly all batches of a large primitive are one row.
+//! sink, so that nearly all batches of a large primitive are one row; so do the short runs of a triangle, all together, where
+//! a program wants them.
 
-use crate::batch::{LANES, Level, stage};
+use crate::batch::{BITS, LANES, Level, count, stage};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::framebuffer::Band;
 
@@ -15,6 +16,10 @@ pub trait Sink {
     /// Works on a run of a row, from its start on as far as that pays, with a batch to use for it. Returns how many pixels
     /// it has done.
     fn row(&mut self, batch: &mut FragmentBatch, run: Segment) -> u32;
+    /// Works on rows of one primitive, which are the segments of the batch; false if it has not.
+    fn rows(&mut self, _batch: &mut FragmentBatch) -> bool {
+        false
+    }
 }
 
 /// Runs from this length on become row segments.
@@ -36,36 +41,6 @@ struct Pending {
     pixel: [u8; LANES + BLOCK as usize],
     /// Of one row up.
     step: u32,
-}
-
-/// The set bits of each byte: their places, a byte each from the lowest on, and how many there are.
-struct Bits {
-    columns: [u64; 256],
-    count: [u8; 256],
-}
-
-static BITS: Bits = {
-    let mut bits = Bits { columns: [0; 256], count: [0; 256] };
-    let mut i = 0;
-    while i < 256 * 8 {
-        let (byte, column) = (i / 8, i % 8);
-        if byte >> column & 1 != 0 {
-            bits.columns[byte] |= (column as u64) << (8 * bits.count[byte]);
-            bits.count[byte] += 1;
-        }
-        i += 1;
-    }
-    bits
-};
-
-/// How many pixels a mask has. Not every processor has an instruction for that.
-#[inline]
-fn count(bits: u64) -> usize {
-    let half = |bits: u64| -> usize {
-        let [a, b, c, d] = (bits as u32).to_le_bytes().map(|byte| usize::from(BITS.count[usize::from(byte)]));
-        (a + b) + (c + d)
-    };
-    half(bits) + if bits >> 32 != 0 { half(bits >> 32) } else { 0 }
 }
 
 /// Writes offsets and positions of all dense lanes of a batch.
@@ -90,8 +65,12 @@ pub struct Emitter {
     batch: Box<FragmentBatch>,
     /// For the sink to work on long runs.
     row: Box<FragmentBatch>,
+    /// For rows of one primitive.
+    rows: Box<FragmentBatch>,
     /// Runs from this length on go to the sink at once.
     row_from: i32,
+    /// Shorter ones than this are collected, those of one triangle at a time.
+    rows_below: i32,
     /// Which pixels the batch may hold already: bit x mod 64 of word y mod 64.
     seen: [u64; 64],
     pending: Box<Pending>,
@@ -126,6 +105,8 @@ impl Emitter {
             batch: Box::default(),
             row: Box::default(),
             row_from: i32::MAX,
+            rows: Box::default(),
+            rows_below: 0,
             seen: [0; 64],
             cut: LANES,
             base: 0,
@@ -150,6 +131,12 @@ impl Emitter {
     pub fn row_from(&mut self, len: u32) {
         let never = self.smooth || self.cut < LANES;
         self.row_from = if never { i32::MAX } else { i32::try_from(len).unwrap_or(i32::MAX).max(1) };
+    }
+
+    /// Says up to which length, exclusive, runs of one triangle are collected, under the same conditions.
+    pub fn rows_below(&mut self, len: u32) {
+        let never = self.smooth || self.cut < LANES;
+        self.rows_below = if never { 0 } else { i32::try_from(len).unwrap_or(0) };
     }
 
     /// Says whose pixels come next.
@@ -219,6 +206,38 @@ impl Emitter {
         }
     }
 
+    /// Appends a run of a triangle, of which more may come before [`collected`](Self::collected).
+    #[inline]
+    pub fn collect(&mut self, x: i32, y: i32, len: i32, sink: &mut impl Sink) {
+        if len >= self.rows_below || self.grouped {
+            return self.run(x, y, len, 1.0, sink);
+        }
+        if self.rows.segment_count == LANES {
+            self.collected(sink);
+        }
+        let bits = (u64::MAX >> (64 - len.clamp(1, 64))).rotate_left(x as u32 & 63);
+        if self.seen[y as usize & 63] & bits != 0 {
+            self.finish(sink);
+        }
+        let offset = self.offset(x, y);
+        if let Some(segment) = self.rows.segments.get_mut(self.rows.segment_count) {
+            *segment = Segment { prim: self.prim, start: 0, len: len.cast_unsigned(), x, y, offset, row: true };
+            self.rows.segment_count += 1;
+        }
+    }
+
+    /// The triangle's runs have come.
+    #[inline]
+    pub fn collected(&mut self, sink: &mut impl Sink) {
+        if self.rows.segment_count > 0 && !sink.rows(&mut self.rows) {
+            for i in 0..self.rows.segment_count.min(LANES) {
+                let Segment { x, y, len, .. } = self.rows.segments[i];
+                self.run(x, y, len.cast_signed(), 1.0, sink);
+            }
+        }
+        self.rows.segment_count = 0;
+    }
+
     /// Appends the pixels of a mask of 8 by 8.
     #[inline]
     pub fn mask(&mut self, x: i32, y: i32, bits: u64, sink: &mut impl Sink) {
@@ -271,7 +290,7 @@ impl Emitter {
                 let pixels = rest as u8 as usize;
                 // What is written beyond the row's pixels is overwritten by those of the next.
                 if let Some(to) = self.pending.pixel.get_mut(n..).and_then(|p| p.first_chunk_mut()) {
-                    *to = (BITS.columns[pixels] + row).to_le_bytes();
+                    *to = (u64::from_le_bytes(BITS.columns[pixels]) + row).to_le_bytes();
                 }
                 n += usize::from(BITS.count[pixels]);
                 rest >>= 8;

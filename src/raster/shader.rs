@@ -23,6 +23,14 @@ pub trait Shader: Send + Sync {
     }
     /// Runs from this length on may be given to [`row`](Self::row).
     fn row_from(&self) -> u32;
+    /// Shorter runs than this, of one primitive, may be given to [`rows`](Self::rows).
+    fn rows_below(&self) -> u32 {
+        0
+    }
+    /// Works on rows of one primitive, which are the segments of the batch; false if it has not.
+    fn rows(&self, _batch: &mut FragmentBatch, _planes: &[Planes], _pool: PlanePool<'_>, _band: &mut Band<'_>) -> bool {
+        false
+    }
     /// Works on a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels
     /// it has done.
     fn row(
@@ -62,6 +70,14 @@ impl Shader for Program {
 
     fn row_from(&self) -> u32 {
         Program::row_from(self)
+    }
+
+    fn rows_below(&self) -> u32 {
+        Program::rows_below(self)
+    }
+
+    fn rows(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) -> bool {
+        Program::rows(self, batch, planes, pool, band)
     }
 
     fn row(

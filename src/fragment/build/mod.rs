@@ -15,7 +15,7 @@ use super::planes::Layout;
 use super::program::{Action, Decision, Fate, Options, Program};
 use super::stencil::StencilOp;
 use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
-use super::{alpha, coordinates, depth, depth_rows, fill, stencil, tally, texel};
+use super::{alpha, coordinates, depth, depth_rows, fill, fill_rows, stencil, tally, texel};
 use crate::batch::{Level, Stage, Step};
 use crate::enums::{GL_NONE, GL_NOOP};
 use crate::framebuffer::FramebufferFormat;
@@ -82,6 +82,7 @@ impl Program {
             actions: Vec::with_capacity(16),
             fill: None,
             fill_levels: None,
+            rows: [None, None],
             light: false,
             levelled: false,
             hidden: None,
@@ -358,6 +359,7 @@ impl Builder<'_> {
         if self.program.uniforms.copied.is_some() {
             let reason = "only depth and texels as they are: one stage does whole runs of a row";
             self.fill_runs(&fill::FILL_TEXELS, tests, 0, reason);
+            self.fill_rows([Some(&fill_rows::ROWS_TEXELS), None]);
         } else if self.program.uniforms.last.is_some() {
             let reason = "only depth and two linear images, multiplied: one stage does whole runs of a row";
             self.fill_runs(&fill::FILL_TWO_UNITS, tests, 0, reason);
@@ -370,20 +372,33 @@ impl Builder<'_> {
                 (Filtered::Rgba(_), None) => Some(&fill::FILL_RGBA_LEVELS),
                 _ => None,
             };
-            let stage = match (&shown.image, shown.blend) {
-                (Filtered::Rgb(_), None) => &fill::FILL_RGB,
-                (Filtered::Rgb(_), _) => &fill::FILL_RGB_BLENDED,
-                (Filtered::Rgba(_), None) => &fill::FILL_RGBA,
-                (Filtered::Rgba(_), _) => &fill::FILL_RGBA_BLENDED,
-                (Filtered::Rgb3d(_), None) => &fill::FILL_RGB_3D,
+            let (stage, rows) = match (&shown.image, shown.blend) {
+                (Filtered::Rgb(_), None) => (&fill::FILL_RGB, Some(&fill_rows::ROWS_RGB)),
+                (Filtered::Rgb(_), _) => (&fill::FILL_RGB_BLENDED, Some(&fill_rows::ROWS_RGB_BLENDED)),
+                (Filtered::Rgba(_), None) => (&fill::FILL_RGBA, Some(&fill_rows::ROWS_RGBA)),
+                (Filtered::Rgba(_), _) => (&fill::FILL_RGBA_BLENDED, Some(&fill_rows::ROWS_RGBA_BLENDED)),
+                (Filtered::Rgb3d(_), None) => (&fill::FILL_RGB_3D, None),
                 _ => return,
+            };
+            let rows_between = match (&shown.image, between) {
+                (_, None) => None,
+                (Filtered::Rgb(_), _) => Some(&fill_rows::ROWS_RGB_LEVELS),
+                _ => Some(&fill_rows::ROWS_RGBA_LEVELS),
             };
             self.fill_runs(stage, tests, 0, "only depth and one linear image: one stage does whole runs of a row");
             let arg = self.program.fill.map_or(0, |step| step.arg);
             let step = |stage: &Stage<FragFn>| Step { name: stage.name, run: stage.levels[self.level as usize], arg };
             self.program.fill_levels = between.map(step);
+            self.fill_rows([rows, rows_between]);
             self.program.levelled |= between.is_some();
         }
+    }
+
+    /// The stages for rows that are too short for that, which are told the same.
+    fn fill_rows(&mut self, stages: [Option<&Stage<FragFn>>; 2]) {
+        let arg = self.program.fill.map_or(0, |step| step.arg);
+        let step = |stage: &Stage<FragFn>| Step { name: stage.name, run: stage.levels[self.level as usize], arg };
+        self.program.rows = stages.map(|stage| stage.map(step));
     }
 
     fn fill_runs(&mut self, stage: &Stage<FragFn>, tests: &Tests, flags: u32, reason: &str) {

@@ -164,7 +164,7 @@ fn no_plane_makes_it_panic() {
         for level in Level::available() {
             for general in [false, true] {
                 let p = program(level, &state, &format, Options { general, ..Options::default() });
-                for feed in [Feed::Rows, Feed::SingleRows, Feed::Runs] {
+                for feed in [Feed::Rows, Feed::SingleRows, Feed::Runs, Feed::Together] {
                     let mut f = Framebuffer::new(70, 3, format).unwrap();
                     let rects: Vec<_> = (0..4).map(|i| (i, [0, 0, 70, 3])).collect();
                     draw(&p, &scene, &mut f, feed, &rects);
@@ -200,7 +200,9 @@ fn segments_that_lie_leave_the_band_alone() {
             p.run(&mut b, &scene.planes, &scene.pool, &mut f.band());
             let run = Segment { start: 0, len: len.min(100), ..b.segments[0] };
             p.row(&mut Box::new(FragmentBatch::new()), run, &scene.planes, &scene.pool, &mut f.band());
+            p.rows(&mut b, &scene.planes, &scene.pool, &mut f.band());
             b.segment_count = usize::MAX;
+            p.rows(&mut b, &scene.planes, &scene.pool, &mut f.band());
             p.run(&mut b, &scene.planes, &scene.pool, &mut f.band());
         }
     }

@@ -108,10 +108,12 @@ pub(super) enum Feed {
     Mixed,
     /// Whole runs as far as the program takes them, then dense lanes.
     Runs,
+    /// Rows of a primitive together, cut in two somewhere, if the program takes them, else dense lanes.
+    Together,
 }
 
 impl Feed {
-    pub const ALL: [Self; 5] = [Self::Rows, Self::SingleRows, Self::Dense, Self::Mixed, Self::Runs];
+    pub const ALL: [Self; 6] = [Self::Rows, Self::SingleRows, Self::Dense, Self::Mixed, Self::Runs, Self::Together];
 }
 
 /// Brings the pixels of a rectangle of a primitive to a program.
@@ -127,10 +129,25 @@ pub(super) fn draw(
         let rows = band.y0..band.y0 + band.rows;
         let mut b = Box::new(FragmentBatch::new());
         for &(prim, [x0, y0, w, h]) in rects {
+            if feed == Feed::Together {
+                let mut all = Box::new(FragmentBatch::new());
+                for y in (y0..y0 + h).filter(|y| rows.contains(y)) {
+                    let cut = 1 + (7 * y + w / 3) % w.max(2);
+                    for (x, len) in [(x0, cut.min(w)), (x0 + cut, w.saturating_sub(cut))] {
+                        let (start, offset) = (0, band.offset(x, y));
+                        all.segments[all.segment_count] =
+                            Segment { prim, start, len, x: x as i32, y: y as i32, offset, row: true };
+                        all.segment_count += usize::from(len > 0);
+                    }
+                }
+                if program.rows(&mut all, &scene.planes, &scene.pool, &mut band) {
+                    continue;
+                }
+            }
             for y in (y0..y0 + h).filter(|y| rows.contains(y)) {
                 let row = match feed {
                     Feed::Rows | Feed::SingleRows => true,
-                    Feed::Dense | Feed::Runs => false,
+                    Feed::Dense | Feed::Runs | Feed::Together => false,
                     Feed::Mixed => y % 3 != 1,
                 };
                 let mut x = x0;

@@ -1,0 +1,287 @@
+//! Rows of one primitive that are too short to be runs of their own, all at once: what is the same for all of it (planes,
+//! wraps, levels, what the environment comes to) is worked out once, depth is tested row by row, and what is alive is
+//! gathered until there are 64 pixels, so that filters work on full blocks whatever the shape is and however much of it is
+//! hidden. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
+
+use super::along::{Extent, Points};
+use super::batch::{FragmentBatch, Segment};
+use super::compare::{Func, compare, digits};
+use super::coordinates::unit;
+use super::depth::WRITE;
+use super::depth_rows::{Slope, lanes};
+use super::detail::{self, Reads};
+use super::fill::{DEPTH, Part, Parts, Source};
+use super::fill_levels::Between;
+use super::fill_linear::Flat;
+use super::planes::Planes;
+use super::segments::row_origin;
+use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::batch::{BITS, LANES, stage};
+use crate::texture::linear::{RGB, RGBA};
+
+/// Pixels whose depth is tested at a time.
+const STEP: usize = 16;
+/// Pixels that are filtered at a time where few are left.
+const FEW: usize = 16;
+/// Depths of a cache line.
+const LINE: usize = 16;
+/// What a list holds: up to 64 pixels, and what a step may add.
+const ROOM: usize = LANES + STEP + 8;
+
+/// Pixels that are alive.
+#[repr(align(64))]
+struct List {
+    /// Their distance from the first row's first pixel: 2^16 y + x + 2^15.
+    place: [u32; ROOM],
+    /// Where they are in the buffers.
+    offset: [u32; ROOM],
+    n: usize,
+}
+
+impl List {
+    /// Appends the pixels that have a bit, of 16 from a place on.
+    #[inline(always)]
+    fn append(&mut self, bits: u32, place: u32, offset: u32) {
+        for half in [0, 8] {
+            let byte = (bits >> half & 0xFF) as usize;
+            let columns = BITS.columns[byte];
+            let (Some(places), Some(offsets)) = (
+                self.place.get_mut(self.n..).and_then(|l| l.first_chunk_mut::<8>()),
+                self.offset.get_mut(self.n..).and_then(|l| l.first_chunk_mut::<8>()),
+            ) else {
+                return;
+            };
+            // What is written beyond the pixels in use is overwritten by the next ones.
+            for i in 0..8 {
+                let column = u32::from(columns[i]) + half;
+                places[i] = place.wrapping_add(column);
+                offsets[i] = offset.wrapping_add(column);
+            }
+            self.n += usize::from(BITS.count[byte]);
+        }
+    }
+
+    /// Takes the first 64 away.
+    #[inline(always)]
+    fn advance(&mut self) {
+        for lanes in [&mut self.place, &mut self.offset] {
+            if let Some((first, rest)) = lanes.split_first_chunk_mut::<LANES>()
+                && let (Some(to), Some(from)) = (first.first_chunk_mut::<STEP>(), rest.first_chunk::<STEP>())
+            {
+                *to = *from;
+            }
+        }
+        self.n = self.n.saturating_sub(LANES);
+    }
+
+    /// Gives the first N pixels of the list from `start` on, of which `n` are in use, their colours. `origin` is that of
+    /// places, relative to the primitive's.
+    #[inline(always)]
+    fn shade<const N: usize, S: Source>(
+        &self,
+        source: &S,
+        (start, n): (usize, usize),
+        origin: [i32; 2],
+        pixels: &mut [u32],
+    ) {
+        let (Some(places), Some(offsets)) = (
+            self.place.get(start..).and_then(|l| l.first_chunk::<N>()),
+            self.offset.get(start..).and_then(|l| l.first_chunk::<N>()),
+        ) else {
+            return;
+        };
+        let mut points = Points { x: [0.0; N], y: [0.0; N] };
+        for i in 0..N {
+            // Lanes that are not in use are where the first one is.
+            let place = if i < n { places[i] } else { places[0] };
+            points.x[i] = ((place & 0xFFFF).cast_signed() + origin[0]) as f32;
+            points.y[i] = ((place >> 16).cast_signed() + origin[1]) as f32;
+        }
+        let mut out = [0; N];
+        if S::BLENDS {
+            for (out, at) in out.iter_mut().zip(offsets).take(n) {
+                *out = pixels.get(*at as usize).copied().unwrap_or(0);
+            }
+        }
+        source.pixels(&points, &mut out);
+        for (out, at) in out.iter().zip(offsets).take(n) {
+            if let Some(pixel) = pixels.get_mut(*at as usize) {
+                *pixel = *out;
+            }
+        }
+    }
+}
+
+/// The depth test.
+#[derive(Clone, Copy)]
+struct Test {
+    func: Func,
+    writes: bool,
+}
+
+impl Test {
+    /// Which of the first `n` pixels from x on pass, a bit each.
+    #[inline(always)]
+    fn pass(self, slope: &Slope, x: i32, n: usize, depth: &mut [u32; STEP]) -> u32 {
+        let mut z = [0; STEP];
+        slope.depths(x, &mut z);
+        let mut mask = lanes::<STEP>(n);
+        compare(self.func, &z, depth, &mut mask);
+        if self.writes {
+            super::buffers::write(false, &mask, &z, depth);
+        }
+        digits(&mask)
+    }
+
+    /// The same where the buffer is.
+    #[inline(always)]
+    fn of_buffer(self, slope: &Slope, x: i32, n: usize, depth: &mut [u32]) -> u32 {
+        if let Some(depth) = depth.first_chunk_mut() {
+            return self.pass(slope, x, n, depth);
+        }
+        // Its end.
+        let n = n.min(depth.len());
+        let mut copy = [0; STEP];
+        copy.iter_mut().zip(depth.iter()).for_each(|(copy, depth)| *copy = *depth);
+        let bits = self.pass(slope, x, n, &mut copy);
+        depth.iter_mut().zip(copy).take(n).for_each(|(depth, copy)| *depth = copy);
+        bits
+    }
+}
+
+/// Between which numbers x and y of some rows are, relative to the primitive's origin.
+#[inline(always)]
+fn limits(rows: &[Segment], planes: &Planes) -> [[i32; 2]; 2] {
+    let (mut least, mut greatest) = ([i32::MAX; 2], [i32::MIN; 2]);
+    for row in rows {
+        let (x, y) = row_origin(row, planes);
+        let last = x.wrapping_add(row.len.cast_signed()).wrapping_sub(1);
+        least = [least[0].min(x), least[1].min(y)];
+        greatest = [greatest[0].max(last), greatest[1].max(y)];
+    }
+    [[least[0], greatest[0]], [least[1], greatest[1]]]
+}
+
+/// Reads a depth of each cache line that rows will read. Processors foresee what comes next in a row, but not where the next
+/// one begins: so that is not waited for row by row, but for all rows at once.
+#[inline(always)]
+fn touch(rows: &[Segment], depth: &[u32]) {
+    let mut sum = 0u32;
+    for row in rows {
+        let (start, len) = (row.offset as usize, row.len as usize);
+        for at in (0..len).step_by(LINE) {
+            sum ^= depth.get(start + at).copied().unwrap_or(0);
+        }
+        sum ^= depth.get((start + len).wrapping_sub(1)).copied().unwrap_or(0);
+    }
+    std::hint::black_box(sum);
+}
+
+/// The rows of the batch's segments, all of one primitive; leaves in `tex.n` how many of them are done, which is all or none.
+#[inline(always)]
+fn rows<const K: usize, P: Parts<K>>(
+    b: &mut FragmentBatch,
+    u: &FragUniforms,
+    w: &mut Work<'_, '_>,
+    arg: u32,
+    of: Option<P>,
+) {
+    b.tex.n = 0;
+    let rows = b.segments.get(..b.segment_count).unwrap_or(&[]);
+    let Some(first) = rows.first() else { return };
+    let (Some(planes), Some(of)) = (w.planes.get(first.prim as usize), of) else { return };
+    let Some(Some(slots)) = u.layout.units.get(of.unit() as usize) else { return };
+    let Some(unit) = unit::<K>(w, first, slots, of.unit()) else { return };
+    let reads = match u.levels.get(of.unit() as usize) {
+        Some(Some(levels)) => detail::of_rows(&b.tex, &unit, limits(rows, planes), levels),
+        _ => Some(Reads::One(0)),
+    };
+    let Some(reads) = reads else { return };
+    let part = Part { segment: *first, extent: Extent::All, unit, reads };
+    let Some(source) = of.source(u, w, &part) else { return };
+    let test = (arg & DEPTH != 0).then(|| Test { func: Func::from_arg(arg >> 1), writes: arg & WRITE != 0 });
+    if test.is_some() {
+        touch(rows, w.band.depth);
+    }
+    let (x0, y0) = row_origin(first, planes);
+    let origin = [x0.wrapping_sub(1 << 15), y0];
+    let mut list = List { place: [0; ROOM], offset: [0; ROOM], n: 0 };
+    let mut rest = rows.iter();
+    let (mut row, mut slope, mut done, mut len) = (*first, Slope::new(&planes.z, 0, 0.0), 0, 0);
+    loop {
+        while list.n < LANES {
+            if done >= len {
+                let Some(next) = rest.next() else { break };
+                (row, done, len) = (*next, 0, next.len);
+                let (x, y) = row_origin(next, planes);
+                let last = x.wrapping_add(len.wrapping_sub(1).cast_signed());
+                slope = Slope::new(&planes.z, y, u.depth_max).between(x, last);
+            }
+            let n = if len - done < STEP as u32 { len - done } else { STEP as u32 };
+            let (x, offset) = (row.x.wrapping_add(done.cast_signed()), row.offset.wrapping_add(done));
+            let mut bits = (1u32 << n) - 1;
+            if let Some(test) = test {
+                let depth = w.band.depth.get_mut(offset as usize..).unwrap_or(&mut []);
+                bits = test.of_buffer(&slope, x.wrapping_sub(planes.origin[0]), n as usize, depth);
+            }
+            let (dx, dy) = (x.wrapping_sub(first.x), row.y.wrapping_sub(first.y));
+            let place = (dy.cast_unsigned() << 16).wrapping_add(dx.cast_unsigned()).wrapping_add(1 << 15);
+            if bits != 0 {
+                list.append(bits, place, offset);
+            }
+            done += n;
+        }
+        let n = list.n.min(LANES);
+        if n > 2 * FEW {
+            list.shade::<LANES, _>(&source, (0, n), origin, w.band.rgba8);
+        } else {
+            let mut start = 0;
+            while start < n {
+                list.shade::<FEW, _>(&source, (start, n - start), origin, w.band.rgba8);
+                start += FEW;
+            }
+        }
+        if n < LANES {
+            break;
+        }
+        list.advance();
+    }
+    b.tex.n = rows.len();
+}
+
+stage! {
+    /// [`FILL_TEXELS`](super::fill::FILL_TEXELS) of many rows.
+    pub(super) fn ROWS_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        rows(b, u, w, arg, u.copied.as_ref());
+    }
+
+    /// [`FILL_RGB`](super::fill::FILL_RGB) of many rows.
+    pub(super) fn ROWS_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
+    }
+
+    /// [`ROWS_RGB`] with four channels.
+    pub(super) fn ROWS_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
+    }
+
+    /// [`ROWS_RGB`] with blending.
+    pub(super) fn ROWS_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
+    }
+
+    /// [`ROWS_RGBA`] with blending.
+    pub(super) fn ROWS_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
+    }
+
+    /// What [`ROWS_RGB`] leaves because two levels are blended.
+    pub(super) fn ROWS_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        rows(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
+    }
+
+    /// What [`ROWS_RGBA`] leaves because two levels are blended.
+    pub(super) fn ROWS_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        rows(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
+    }
+}
