@@ -1,6 +1,8 @@
 //! Which instruction set the stages run on. Picked once when a context is made, from what the processor has; the
 //! environment variable `FIXEDGL_SIMD` (`baseline`, `avx2` or `avx512`) picks a lower one, never one that is missing.
 
+use std::sync::OnceLock;
+
 /// An instruction set that every stage is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
@@ -19,6 +21,12 @@ impl Level {
     /// The highest level that this processor has.
     #[must_use]
     pub fn detect() -> Self {
+        // Each row of an upload asks.
+        static TOP: OnceLock<Level> = OnceLock::new();
+        *TOP.get_or_init(Self::look)
+    }
+
+    fn look() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
             let bits = is_x86_feature_detected!("bmi1")

@@ -56,6 +56,14 @@ pub fn floor_to_int(x: f32) -> i32 {
     (biased.to_bits() as i32).wrapping_sub(MAGIC.to_bits() as i32).wrapping_sub(down)
 }
 
+/// The greatest whole number that is not greater, for any number: the nearest `i32` beyond their range, 0 for NaN.
+#[inline]
+#[must_use]
+pub fn floor_f64_to_int(x: f64) -> i32 {
+    let n = x as i32;
+    n.saturating_sub(i32::from(f64::from(n) > x))
+}
+
 /// The whole part of |x| for |x| < 2^23, and something finite or NaN beyond.
 #[inline(always)]
 fn whole_below(a: f32) -> f32 {
@@ -121,6 +129,15 @@ mod tests {
         assert!(trunc_f32(f32::NAN).is_nan());
         assert_eq!(fract_f32(f32::NAN), 0.0);
         assert_eq!(fract_f32(f32::INFINITY), 0.0);
+    }
+
+    #[test]
+    fn the_floor_of_an_f64_is_exact_everywhere() {
+        let beyond = [f64::MAX, f64::INFINITY, f64::NAN, 2_147_483_647.5, -2_147_483_648.5, 0.1 + 0.2];
+        for x in samples().map(f64::from).chain(beyond) {
+            assert_eq!(floor_f64_to_int(x), x.floor() as i32, "{x}");
+            assert_eq!(floor_f64_to_int(-x), (-x).floor() as i32, "-{x}");
+        }
     }
 
     #[test]

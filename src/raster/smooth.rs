@@ -5,6 +5,7 @@ use super::geometry::{Context, Cover, Geometry, index};
 use super::line::Segment;
 use super::setup::{Triangle, relative_snapped};
 use super::state::{Mode, Rect};
+use crate::num::floor_f64_to_int;
 
 /// A convex outline of three or four corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,12 +18,6 @@ pub struct Outline {
     pub corner: [[f64; 2]; 4],
     /// How many corners there are.
     pub count: usize,
-}
-
-/// The greatest whole number that is not greater.
-fn floor(v: f64) -> i32 {
-    let n = v as i32;
-    n.saturating_sub(i32::from(f64::from(n) > v))
 }
 
 /// The corner after corner i.
@@ -76,8 +71,8 @@ impl Outline {
             return (0, 0);
         }
         // A pixel reaches half a pixel to either side; a little is to spare for rounding.
-        let first = self.origin[0].saturating_add(floor(least + (0.5 - 1e-6)));
-        let last = self.origin[0].saturating_add(floor(most + (0.5 + 1e-6))).saturating_add(1);
+        let first = self.origin[0].saturating_add(floor_f64_to_int(least + (0.5 - 1e-6)));
+        let last = self.origin[0].saturating_add(floor_f64_to_int(most + (0.5 + 1e-6))).saturating_add(1);
         (first.max(self.rect.x0), last.min(self.rect.x1))
     }
 
