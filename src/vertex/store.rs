@@ -10,6 +10,8 @@ use crate::enums::GLenum;
 
 /// Numbers of a position.
 const POSITION: usize = 4;
+/// Vertices of most blocks.
+const EACH: u32 = LANES as u32;
 
 /// A store of vertices.
 #[derive(Clone, Debug, Default)]
@@ -103,9 +105,8 @@ impl Store {
 
     /// The numbers of a vertex.
     pub fn numbers(&self, vertex: u32) -> impl Iterator<Item = f32> + '_ {
-        let (each, vertex) = (self.each.max(1), vertex as usize);
-        let lane = vertex % each;
-        self.block(vertex / each).unwrap_or_default().iter().map(move |lanes| lanes[lane])
+        let (block, lane) = self.place(vertex);
+        self.block(block).unwrap_or_default().iter().map(move |lanes| lanes[lane])
     }
 
     /// A store of some of the vertices; `None` where there is no memory.
@@ -126,16 +127,27 @@ impl Store {
         Some(Self { kept, per_block, lanes, each: LANES, count: vertices.len(), w_is_one })
     }
 
+    /// The block and the lane of a vertex.
+    #[inline]
+    fn place(&self, vertex: u32) -> (usize, usize) {
+        // A number that is known need not be divided by.
+        let (block, lane) = match self.each as u32 {
+            EACH => (vertex / EACH, vertex % EACH),
+            each => (vertex / each.max(1), vertex % each.max(1)),
+        };
+        (block as usize, lane as usize)
+    }
+
     fn block(&self, block: usize) -> Option<&[Lanes]> {
         self.lanes.get(block * self.per_block..(block + 1) * self.per_block)
     }
 
     /// Copies some numbers of some vertices: those of one block at once, where they are all of it.
     fn copy<'a>(&self, keys: &Keys<'_>, skip: usize, to: impl Iterator<Item = &'a mut Lanes>) {
-        let each = self.each.max(1);
         let whole = match keys {
-            Keys::Range(range) if (range.start as usize).is_multiple_of(each) && range.len() <= each => {
-                self.block(range.start as usize / each)
+            Keys::Range(range) if range.len() <= self.each => {
+                let (block, lane) = self.place(range.start);
+                self.block(block).filter(|_| lane == 0)
             }
             _ => None,
         };
@@ -148,8 +160,8 @@ impl Store {
             None => {
                 let mut at = [0; LANES];
                 for (i, at) in at.iter_mut().enumerate() {
-                    let key = keys.get(i).unwrap_or(0) as usize;
-                    *at = (key / each * self.per_block + skip) * LANES + key % each;
+                    let (block, lane) = self.place(keys.get(i).unwrap_or(0));
+                    *at = (block * self.per_block + skip) * LANES + lane;
                 }
                 let numbers = self.lanes.as_flattened();
                 for (k, to) in to.enumerate() {
