@@ -39,6 +39,8 @@ pub(super) struct Group {
     pub bits: [u64; GROUP],
     /// The rows of triangles that are too large for that.
     pub ends: Ends,
+    /// How many pixels those cover.
+    pub pixels: Ints,
     pub area: Ints,
     pub origin: [Ints; 2],
     pub z: Linears,
@@ -62,6 +64,7 @@ impl Default for Group {
             cut: [0; GROUP],
             bits: [0; GROUP],
             ends: [[0; GROUP]; ROWS],
+            pixels: [0; GROUP],
             area: [0; GROUP],
             origin: [[0; GROUP]; 2],
             z: Linears::default(),
@@ -260,11 +263,23 @@ impl Geometry {
             }
             (Cover::Mask { x, y, bits }, u64::from(bits.count_ones()))
         } else {
-            let (rows, pixels) = Rows::new(&group.ends, lane, [x, y], bounds.and(cx.rs.area));
+            let mut pixels = u64::from(group.pixels[lane].unsigned_abs());
             if pixels == 0 {
                 return false;
             }
-            self.blocks.push(rows);
+            // Put together where they are kept: on their way through a variable they would be read back before they are
+            // written.
+            self.blocks.push(Rows::new([x, y], bounds.y1 - bounds.y0));
+            if let Some(rows) = self.blocks.last_mut() {
+                rows.take(&group.ends, lane);
+                if group.cut[lane] != 0 {
+                    pixels = rows.cut(bounds.and(cx.rs.area));
+                }
+            }
+            if pixels == 0 {
+                self.blocks.pop();
+                return false;
+            }
             (Cover::Rows(index(self.blocks.len() - 1)), pixels)
         };
         let group = &*self.group;

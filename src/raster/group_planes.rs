@@ -428,7 +428,7 @@ stage! {
         origins(group);
         masks(&group.corners.snapped, &group.area, &group.first, members.masks, &mut group.bits);
         if members.rows > 0 {
-            rows(&group.corners.snapped, &group.area, &group.first, members.rows, &mut group.ends);
+            group.pixels = rows(&group.corners.snapped, &group.area, &group.first, members.rows, &mut group.ends);
         }
         depths(group, view, &mut odd);
         bases(group, &mut odd);

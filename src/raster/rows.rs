@@ -30,23 +30,34 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Those of a triangle of a group, as far as they lie in a rectangle; `area` is about the rectangle, `bounds` what
-    /// both have in common. Also how many pixels that is.
+    /// None yet, of a triangle whose bounding box begins at a pixel and has some rows.
     #[inline]
-    pub(super) fn new(ends: &Ends, lane: usize, [x, y]: [i32; 2], bounds: Rect) -> (Self, u64) {
-        let column = |at: i32| at.wrapping_sub(x).clamp(0, ROWS as i32) as u8;
-        let row = |at: i32| at.wrapping_sub(y).clamp(0, ROWS as i32) as u8;
-        let (left, right) = (column(bounds.x0), column(bounds.x1));
-        let mut rows = Self { x, y, used: [row(bounds.y0), row(bounds.y1)], ends: [[0; 2]; ROWS] };
-        let mut pixels = 0;
-        let used = usize::from(rows.used[0])..usize::from(rows.used[1]);
-        for (to, from) in rows.ends.iter_mut().zip(ends).take(used.end).skip(used.start) {
-            let [first, end] = from[lane % GROUP].to_le_bytes();
-            let (first, end) = (first.max(left), end.min(right));
-            *to = [first, end];
-            pixels += u64::from(end.saturating_sub(first));
+    pub(super) const fn new([x, y]: [i32; 2], height: i32) -> Self {
+        Self { x, y, used: [0, height as u8], ends: [[0; 2]; ROWS] }
+    }
+
+    /// Takes those of a triangle of a group, to be called where they are kept: as many as there may be, since how many
+    /// there are is not to be foreseen.
+    #[inline]
+    pub(super) fn take(&mut self, ends: &Ends, lane: usize) {
+        for (to, from) in self.ends.iter_mut().zip(ends) {
+            *to = from[lane % GROUP].to_le_bytes();
         }
-        (rows, pixels)
+    }
+
+    /// Cuts them down to what lies in a rectangle; how many pixels that is.
+    pub(super) fn cut(&mut self, rect: Rect) -> u64 {
+        let column = |at: i32| at.wrapping_sub(self.x).clamp(0, ROWS as i32) as u8;
+        let row = |at: i32| at.wrapping_sub(self.y).clamp(0, ROWS as i32) as u8;
+        let (left, right) = (column(rect.x0), column(rect.x1));
+        self.used = [row(rect.y0), row(rect.y1)];
+        let mut pixels = 0;
+        let [first, end] = self.used.map(usize::from);
+        for run in self.ends.iter_mut().take(end).skip(first) {
+            *run = [run[0].max(left), run[1].min(right)];
+            pixels += u64::from(run[1].saturating_sub(run[0]));
+        }
+        pixels
     }
 
     /// The rows in use, in pixels of the window.
@@ -130,16 +141,17 @@ impl Step {
 }
 
 /// The first `count` rows of triangles by their corners' snapped positions, from the pixel `first` on, which is the first
-/// one of the bounding box. `area` is positive where a triangle winds counter-clockwise. Of triangles that are larger than
-/// 16 by 16 anything may come out.
+/// one of the bounding box, and how many pixels they cover. `area` is positive where a triangle winds counter-clockwise. Of
+/// triangles that are larger than 16 by 16 anything may come out.
 #[inline(always)]
-pub(super) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u32, out: &mut Ends) {
+pub(super) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u32, out: &mut Ends) -> Ints {
     let turn = turns(area);
     let mut steps = [
         Step::new(&p[0], &p[1], &turn, first),
         Step::new(&p[1], &p[2], &turn, first),
         Step::new(&p[2], &p[0], &turn, first),
     ];
+    let mut pixels = [0; GROUP];
     for row in out.iter_mut().take(count as usize) {
         let (mut low, mut high) = ([0; GROUP], [ROWS as i32; GROUP]);
         for step in &mut steps {
@@ -147,7 +159,10 @@ pub(super) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u3
         }
         for i in 0..GROUP {
             let first = low[i].min(ROWS as i32);
-            row[i] = (first | high[i].max(first) << 8) as u16;
+            let end = high[i].max(first);
+            row[i] = (first | end << 8) as u16;
+            pixels[i] += end - first;
         }
     }
+    pixels
 }
