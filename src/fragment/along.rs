@@ -60,6 +60,24 @@ impl<const N: usize> Place<N> for From {
     }
 }
 
+/// Pixels of a row from this x on and with this y, where functions are not those of the row.
+pub(super) struct Step {
+    pub x: f32,
+    pub y: f32,
+}
+
+impl<const N: usize> Place<N> for Step {
+    #[inline(always)]
+    fn sum(&self, f: &Terms<f32>, i: usize) -> f32 {
+        (f.at + f.y * self.y) + f.x * (self.x + IOTA[i])
+    }
+
+    #[inline(always)]
+    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64 {
+        (f.at + f.y * f64::from(self.y)) + f.x * f64::from(self.x + IOTA[i])
+    }
+}
+
 /// Pixels anywhere.
 pub(super) struct Points<const N: usize> {
     pub x: [f32; N],

@@ -113,7 +113,8 @@ struct Limits {
 }
 
 /// What is known of rho in all pixels of a span; `None` where D may come near 0.
-fn limits<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> Option<Limits> {
+/// `SEVERAL`: it may have more than one row.
+fn limits<const K: usize, const SEVERAL: bool>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> Option<Limits> {
     let Span { x, y } = span;
     let d = &unit.divisor;
     let lost = if unit.wide { LOST_WIDE } else { LOST };
@@ -123,7 +124,7 @@ fn limits<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> O
     let at = x.map(|x| start[0] + d.x * x);
     let terms = d.at.abs() + d.y.abs() * high + d.x.abs() * far;
     let [mut least, mut most] = ordered(at[0], at[1]);
-    if y[0] < y[1] {
+    if SEVERAL {
         let [low, high] = ordered(start[1] + d.x * x[0], start[1] + d.x * x[1]);
         (least, most) = (ordered(least, low)[0], ordered(most, high)[1]);
     }
@@ -135,10 +136,13 @@ fn limits<const K: usize>(unit: &Unit<'_, K>, span: Span, scale: &[f64; 3]) -> O
     let (mut across, mut up) = ([0.0f64; 2], [0.0f64; 2]);
     for k in 0..K {
         let p = &unit.coords[k];
-        let n = y.map(|y| p.n0 + p.ny * y);
+        let n = p.n0 + p.ny * y[0];
         // The first is the same along a row, the second along a column; where they change their sign they are 0.
-        let kx = [0, 1].map(|i: usize| p.nx * start[i] - n[i] * d.x);
-        let ky = [0, 1].map(|i: usize| p.ny * at[i] - (n[0] + p.nx * x[i]) * d.y);
+        let mut kx = [p.nx * start[0] - n * d.x; 2];
+        if SEVERAL {
+            kx[1] = p.nx * start[1] - (p.n0 + p.ny * y[1]) * d.x;
+        }
+        let ky = [0, 1].map(|i: usize| p.ny * at[i] - (n + p.nx * x[i]) * d.y);
         let n_terms = p.n0.abs() + p.ny.abs() * high + p.nx.abs() * far;
         let off = lost * ((p.nx.abs() + p.ny.abs()) * terms + n_terms * (d.x.abs() + d.y.abs()));
         let square = |v: f64| v * scale[k] * (v * scale[k]);
@@ -182,7 +186,7 @@ pub(super) fn of_row<const K: usize>(
     }
     let reach = ahead.reach[index].max(len);
     let pixels = if reach < ahead.left { reach } else { ahead.left };
-    match reads(b, unit, along(x, y, pixels), levels) {
+    match reads::<K, false>(b, unit, along(x, y, pixels), levels) {
         Some(Reads::One(level)) => {
             ahead.levels[index] = (level, ahead.left - pixels);
             ahead.reach[index] = (2 * reach).min(FARTHEST);
@@ -215,7 +219,7 @@ pub(super) fn part<const K: usize>(
     let reach = ahead.reach.get_mut(index as usize)?;
     loop {
         let pixels = (*reach).max(LANES as u32).min(left);
-        if let Some(reads) = reads(b, unit, along(x, y, pixels), levels) {
+        if let Some(reads) = reads::<K, false>(b, unit, along(x, y, pixels), levels) {
             *reach = (2 * *reach).clamp(LANES as u32, FARTHEST);
             ahead.told = Some((left, reads, pixels));
             return Some((reads, pixels));
@@ -242,19 +246,24 @@ pub(super) fn of_rows<const K: usize>(
     [x, y]: [[i32; 2]; 2],
     levels: &Levels,
 ) -> Option<Reads> {
-    reads(b, unit, Span { x: x.map(f64::from), y: y.map(f64::from) }, levels)
+    reads::<K, true>(b, unit, Span { x: x.map(f64::from), y: y.map(f64::from) }, levels)
 }
 
 /// The levels that the pixels of a span read, if limits tell.
 #[inline(never)]
-fn reads<const K: usize>(b: &TexBatch, unit: &Unit<'_, K>, span: Span, levels: &Levels) -> Option<Reads> {
+fn reads<const K: usize, const SEVERAL: bool>(
+    b: &TexBatch,
+    unit: &Unit<'_, K>,
+    span: Span,
+    levels: &Levels,
+) -> Option<Reads> {
     // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
     if is_even(unit)
         && let Some((level, share)) = levels.exactly(even_rho2(unit, levels))
     {
         return Some(share.map_or(Reads::One(level), |share| Reads::Two(level, Share::Same(share))));
     }
-    let Limits { rho2, axis } = limits(unit, span, &levels.scale)?;
+    let Limits { rho2, axis } = limits::<K, SEVERAL>(unit, span, &levels.scale)?;
     match levels.only(b, rho2) {
         Some(level) => Some(Reads::One(level)),
         None => Some(Reads::Two(levels.first_of_two(rho2)?, Share::By(axis))),
@@ -308,9 +317,10 @@ mod tests {
             let scale = SLOTS.size.map(f64::from);
             let ends = [f64::from(x), f64::from(x) + f64::from(len - 1)];
             let span = Span { x: ends, y: [f64::from(y), f64::from(last)] };
-            let Some(Limits { rho2: [least, greatest], axis }) = limits(&unit, span, &[scale[0], scale[1], 0.0]) else {
-                continue;
-            };
+            let size = [scale[0], scale[1], 0.0];
+            let found =
+                if last > y { limits::<2, true>(&unit, span, &size) } else { limits::<2, false>(&unit, span, &size) };
+            let Some(Limits { rho2: [least, greatest], axis }) = found else { continue };
             known += 1;
             close += u32::from(greatest < 1.1 * least);
             for y in y..=last {

@@ -273,7 +273,7 @@ stage! {
         let mut paint = None;
         if arg & COLOR != 0 {
             let planes = u.layout.color.and_then(|slot| primitive::<4>(w, &segment, slot));
-            paint = planes.and_then(|(planes, pool)| Paint::new(planes, pool, y, u.packed_or));
+            paint = planes.and_then(|(planes, pool)| Paint::new(planes, pool, Some(y), u.packed_or));
             if paint.is_none() {
                 return;
             }

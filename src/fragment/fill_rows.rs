@@ -1,11 +1,12 @@
 //! Rows of one primitive that are too short to be runs of their own, all at once: what is the same for all of it (planes,
-//! wraps, levels, what the environment comes to) is worked out once, depth is tested row by row, and what is alive is
-//! gathered until there are 64 pixels, so that filters work on full blocks whatever the shape is and however much of it is
-//! hidden. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
+//! wraps, levels, what the environment comes to) is worked out once, and depth is tested row by row. Of textured ones what is
+//! alive is gathered until there are 64 pixels, so that filters work on full blocks whatever the shape is and however much
+//! of it is hidden. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Extent, Points};
+use super::along::{Extent, Points, Step};
 use super::batch::{FragmentBatch, Segment};
-use super::compare::{Func, compare, digits};
+use super::buffers::write;
+use super::compare::{Func, any, compare, digits};
 use super::coordinates::unit;
 use super::depth::WRITE;
 use super::depth_rows::{Slope, lanes};
@@ -13,6 +14,8 @@ use super::detail::{self, Reads};
 use super::fill::{DEPTH, Part, Parts, Source};
 use super::fill_levels::Between;
 use super::fill_linear::Flat;
+use super::interpolate::primitive;
+use super::pack::Paint;
 use super::planes::Planes;
 use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
@@ -120,33 +123,54 @@ struct Test {
 }
 
 impl Test {
-    /// Which of the first `n` pixels from x on pass, a bit each.
+    /// That of a stage's number.
     #[inline(always)]
-    fn pass(self, slope: &Slope, x: i32, n: usize, depth: &mut [u32; STEP]) -> u32 {
-        let mut z = [0; STEP];
-        slope.depths(x, &mut z);
-        let mut mask = lanes::<STEP>(n);
-        compare(self.func, &z, depth, &mut mask);
-        if self.writes {
-            super::buffers::write(false, &mask, &z, depth);
-        }
-        digits(&mask)
+    fn new(arg: u32) -> Option<Self> {
+        (arg & DEPTH != 0).then(|| Self { func: Func::from_arg(arg >> 1), writes: arg & WRITE != 0 })
     }
 
-    /// The same where the buffer is.
+    /// Which of the first `n` pixels from x on pass.
     #[inline(always)]
-    fn of_buffer(self, slope: &Slope, x: i32, n: usize, depth: &mut [u32]) -> u32 {
-        if let Some(depth) = depth.first_chunk_mut() {
-            return self.pass(slope, x, n, depth);
+    fn pass<const N: usize>(self, slope: &Slope, x: i32, n: u32, depth: &mut [u32; N]) -> [u32; N] {
+        let mut z = [0; N];
+        slope.depths(x, &mut z);
+        let mut mask = lanes::<N>(n as usize);
+        compare(self.func, &z, depth, &mut mask);
+        if self.writes {
+            write(false, &mask, &z, depth);
         }
-        // Its end.
-        let n = n.min(depth.len());
-        let mut copy = [0; STEP];
-        copy.iter_mut().zip(depth.iter()).for_each(|(copy, depth)| *copy = *depth);
-        let bits = self.pass(slope, x, n, &mut copy);
-        depth.iter_mut().zip(copy).take(n).for_each(|(depth, copy)| *depth = copy);
+        mask
+    }
+
+    /// A bit for each of the first `n` pixels from x on that passes.
+    #[inline(always)]
+    fn bits(self, slope: &Slope, x: i32, n: u32, depth: &mut [u32], offset: u32) -> u32 {
+        if let Some(depth) = chunk(depth, offset) {
+            return digits(&self.pass::<STEP>(slope, x, n, depth));
+        }
+        // The buffer's end.
+        let mut bits = 0;
+        for i in 0..n {
+            if let Some(depth) = chunk(depth, offset.wrapping_add(i)) {
+                bits |= digits(&self.pass::<1>(slope, x.wrapping_add(i.cast_signed()), 1, depth)) << i;
+            }
+        }
         bits
     }
+}
+
+/// N elements of a buffer, if it has so many from there on.
+#[inline(always)]
+fn chunk<const N: usize>(buffer: &mut [u32], at: u32) -> Option<&mut [u32; N]> {
+    buffer.get_mut(at as usize..)?.first_chunk_mut()
+}
+
+/// Depth along a row of a primitive.
+#[inline(always)]
+fn slope(row: &Segment, planes: &Planes, u: &FragUniforms) -> Slope {
+    let (x, y) = row_origin(row, planes);
+    let last = x.wrapping_add(row.len.wrapping_sub(1).cast_signed());
+    Slope::new(&planes.z, y, u.depth_max).between(x, last)
 }
 
 /// Between which numbers x and y of some rows are, relative to the primitive's origin.
@@ -177,9 +201,10 @@ fn touch(rows: &[Segment], depth: &[u32]) {
     std::hint::black_box(sum);
 }
 
-/// The rows of the batch's segments, all of one primitive; leaves in `tex.n` how many of them are done, which is all or none.
+/// What an image gives the rows of the batch's segments, all of one primitive; leaves in `tex.n` how many of them are done, which
+/// is all or none.
 #[inline(always)]
-fn rows<const K: usize, P: Parts<K>>(
+fn textured<const K: usize, P: Parts<K>>(
     b: &mut FragmentBatch,
     u: &FragUniforms,
     w: &mut Work<'_, '_>,
@@ -198,8 +223,23 @@ fn rows<const K: usize, P: Parts<K>>(
     };
     let Some(reads) = reads else { return };
     let part = Part { segment: *first, extent: Extent::All, unit, reads };
-    let Some(source) = of.source(u, w, &part) else { return };
-    let test = (arg & DEPTH != 0).then(|| Test { func: Func::from_arg(arg >> 1), writes: arg & WRITE != 0 });
+    if let Some(source) = of.source(u, w, &part) {
+        colored(rows, (planes, &source), u, w, arg);
+        b.tex.n = rows.len();
+    }
+}
+
+/// Colours of the rows of a primitive.
+#[inline(always)]
+fn colored<S: Source>(
+    rows: &[Segment],
+    (planes, source): (&Planes, &S),
+    u: &FragUniforms,
+    w: &mut Work<'_, '_>,
+    arg: u32,
+) {
+    let Some(first) = rows.first() else { return };
+    let test = Test::new(arg);
     if test.is_some() {
         touch(rows, w.band.depth);
     }
@@ -207,22 +247,20 @@ fn rows<const K: usize, P: Parts<K>>(
     let origin = [x0.wrapping_sub(1 << 15), y0];
     let mut list = List { place: [0; ROOM], offset: [0; ROOM], n: 0 };
     let mut rest = rows.iter();
-    let (mut row, mut slope, mut done, mut len) = (*first, Slope::new(&planes.z, 0, 0.0), 0, 0);
+    let (mut row, mut along, mut done, mut len) = (*first, Slope::new(&planes.z, 0, 0.0), 0, 0);
     loop {
         while list.n < LANES {
             if done >= len {
                 let Some(next) = rest.next() else { break };
                 (row, done, len) = (*next, 0, next.len);
-                let (x, y) = row_origin(next, planes);
-                let last = x.wrapping_add(len.wrapping_sub(1).cast_signed());
-                slope = Slope::new(&planes.z, y, u.depth_max).between(x, last);
+                along = slope(next, planes, u);
             }
             let n = if len - done < STEP as u32 { len - done } else { STEP as u32 };
             let (x, offset) = (row.x.wrapping_add(done.cast_signed()), row.offset.wrapping_add(done));
             let mut bits = (1u32 << n) - 1;
             if let Some(test) = test {
-                let depth = w.band.depth.get_mut(offset as usize..).unwrap_or(&mut []);
-                bits = test.of_buffer(&slope, x.wrapping_sub(planes.origin[0]), n as usize, depth);
+                let x = x.wrapping_sub(planes.origin[0]);
+                bits = test.bits(&along, x, n, w.band.depth, offset);
             }
             let (dx, dy) = (x.wrapping_sub(first.x), row.y.wrapping_sub(first.y));
             let place = (dy.cast_unsigned() << 16).wrapping_add(dx.cast_unsigned()).wrapping_add(1 << 15);
@@ -233,11 +271,11 @@ fn rows<const K: usize, P: Parts<K>>(
         }
         let n = list.n.min(LANES);
         if n > 2 * FEW {
-            list.shade::<LANES, _>(&source, (0, n), origin, w.band.rgba8);
+            list.shade::<LANES, _>(source, (0, n), origin, w.band.rgba8);
         } else {
             let mut start = 0;
             while start < n {
-                list.shade::<FEW, _>(&source, (start, n - start), origin, w.band.rgba8);
+                list.shade::<FEW, _>(source, (start, n - start), origin, w.band.rgba8);
                 start += FEW;
             }
         }
@@ -246,42 +284,95 @@ fn rows<const K: usize, P: Parts<K>>(
         }
         list.advance();
     }
-    b.tex.n = rows.len();
+}
+
+/// Pixels of a row from (x, y) on, the first `n` of N; false, and nothing done, where a buffer ends before.
+#[inline(always)]
+fn paint_step<const N: usize>(
+    w: &mut Work<'_, '_>,
+    (paint, slope, test): (&Paint, &Slope, Test),
+    (x, y, n): (i32, i32, u32),
+    offset: u32,
+) -> bool {
+    let (Some(depth), Some(pixels)) = (chunk(w.band.depth, offset), chunk(w.band.rgba8, offset)) else { return false };
+    let mask = test.pass::<N>(slope, x, n, depth);
+    if any(&mask) {
+        let mut out = [0; N];
+        paint.pixels(&Step { x: x as f32, y: y as f32 }, &mut out);
+        write(false, &mask, &out, pixels);
+    }
+    true
+}
+
+/// The same where colours cost so little that they are not gathered: 16 pixels of a row at a time.
+#[inline(always)]
+fn painted(rows: &[Segment], (planes, paint): (&Planes, &Paint), u: &FragUniforms, w: &mut Work<'_, '_>, test: Test) {
+    touch(rows, w.band.depth);
+    for row in rows {
+        let (x, y) = row_origin(row, planes);
+        let along = slope(row, planes, u);
+        let mut done = 0;
+        while done < row.len {
+            let n = if row.len - done < STEP as u32 { row.len - done } else { STEP as u32 };
+            let (x, offset) = (x.wrapping_add(done.cast_signed()), row.offset.wrapping_add(done));
+            if !paint_step::<STEP>(w, (paint, &along, test), (x, y, n), offset) {
+                for i in 0..n {
+                    let x = x.wrapping_add(i.cast_signed());
+                    paint_step::<1>(w, (paint, &along, test), (x, y, 1), offset.wrapping_add(i));
+                }
+            }
+            done += n;
+        }
+    }
 }
 
 stage! {
+    /// [`FILL`](super::fill::FILL) of many rows, with a colour.
+    pub(super) fn ROWS_COLOR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        b.tex.n = 0;
+        let rows = b.segments.get(..b.segment_count).unwrap_or(&[]);
+        if let (Some(first), Some(slot)) = (rows.first(), u.layout.color)
+            && let Some((planes, pool)) = primitive::<4>(w, first, slot)
+            && let Some(paint) = Paint::new(planes, pool, None, u.packed_or)
+            && let Some(test) = Test::new(arg)
+        {
+            painted(rows, (planes, &paint), u, w, test);
+            b.tex.n = rows.len();
+        }
+    }
+
     /// [`FILL_TEXELS`](super::fill::FILL_TEXELS) of many rows.
     pub(super) fn ROWS_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        rows(b, u, w, arg, u.copied.as_ref());
+        textured(b, u, w, arg, u.copied.as_ref());
     }
 
     /// [`FILL_RGB`](super::fill::FILL_RGB) of many rows.
     pub(super) fn ROWS_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
+        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
     }
 
     /// [`ROWS_RGB`] with four channels.
     pub(super) fn ROWS_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
+        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
     }
 
     /// [`ROWS_RGB`] with blending.
     pub(super) fn ROWS_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
+        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
     }
 
     /// [`ROWS_RGBA`] with blending.
     pub(super) fn ROWS_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        rows(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
+        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
     }
 
     /// What [`ROWS_RGB`] leaves because two levels are blended.
     pub(super) fn ROWS_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        rows(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
+        textured(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
     }
 
     /// What [`ROWS_RGBA`] leaves because two levels are blended.
     pub(super) fn ROWS_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        rows(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
+        textured(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
     }
 }

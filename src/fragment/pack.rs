@@ -61,10 +61,10 @@ struct Run {
 }
 
 impl Run {
-    /// The plane in row y. Limits within [0, 1] save limiting the value once more.
+    /// The plane, in a row if there is one. Limits within [0, 1] save limiting the value once more.
     #[inline(always)]
-    fn new(p: &Plane, y: f32) -> Self {
-        let n = Terms::new(&Linear { at: p.n0, x: p.nx, y: p.ny }, Some(y));
+    fn new(p: &Plane, row: Option<f32>) -> Self {
+        let n = Terms::new(&Linear { at: p.n0, x: p.nx, y: p.ny }, row);
         Self { n, c: p.c, min: clamp01(p.min), max: clamp01(p.max) }
     }
 
@@ -96,9 +96,9 @@ pub(super) struct Smooth {
 }
 
 impl Paint {
-    /// The colours of the row y, relative to the primitive's origin; `None` where the primitive is wide.
+    /// The colours of a row, relative to the primitive's origin, or of all of it; `None` where the primitive is wide.
     #[inline(always)]
-    pub(super) fn new(planes: &Planes, pool: &[Plane; 4], y: i32, or: u32) -> Option<Self> {
+    pub(super) fn new(planes: &Planes, pool: &[Plane; 4], row: Option<i32>, or: u32) -> Option<Self> {
         let alpha = &pool[3];
         if let Some(packed) = constant(pool) {
             return Some(Self::Flat(packed | or));
@@ -106,10 +106,11 @@ impl Paint {
         if planes.wide & Planes::WIDE_W != 0 {
             return None;
         }
-        let y = y as f32;
+        let row = row.map(|y| y as f32);
         let opaque = alpha.min == alpha.max;
-        let channels = [Run::new(&pool[0], y), Run::new(&pool[1], y), Run::new(&pool[2], y), Run::new(&pool[3], y)];
-        let d = if planes.affine { None } else { Some(Terms::new(&planes.d, Some(y))) };
+        let channels =
+            [Run::new(&pool[0], row), Run::new(&pool[1], row), Run::new(&pool[2], row), Run::new(&pool[3], row)];
+        let d = if planes.affine { None } else { Some(Terms::new(&planes.d, row)) };
         let or = if opaque { or | byte(alpha.max) << 24 } else { or };
         Some(Self::Smooth(Smooth { channels, d, opaque, or }))
     }
@@ -152,7 +153,7 @@ fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, a
     if single_row(b)
         && let Some((planes, pool)) = primitive::<4>(w, &b.segments[0], slot)
         && let (x, y) = row_origin(&b.segments[0], planes)
-        && let Some(paint) = Paint::new(planes, pool, y, or)
+        && let Some(paint) = Paint::new(planes, pool, Some(y), or)
     {
         paint.pixels(&From(x as f32), &mut b.packed);
         return;

@@ -123,6 +123,8 @@ const FILLED: u32 = 8;
 const SHOWN: u32 = 48;
 /// Shorter rows than this are done together with the others of their primitive.
 const COLLECTED: u32 = 128;
+/// The same of a stage that reads no texture.
+const PAINTED: u32 = 64;
 /// From this length on a run, or what is left of it, is worth a batch of its own: stages that compute whole rows are
 /// faster than those that go over the pieces of several, but compute unused lanes as well.
 const SPLIT: u32 = 32;
@@ -193,7 +195,11 @@ impl Program {
     /// Shorter runs than this may be collected, those of one primitive at a time, and given to [`rows`](Self::rows).
     #[must_use]
     pub fn rows_below(&self) -> u32 {
-        if self.rows[0].is_some() { COLLECTED } else { 0 }
+        match (&self.rows[0], self.light) {
+            (None, _) => 0,
+            (_, true) => PAINTED,
+            _ => COLLECTED,
+        }
     }
 
     /// Works on rows of one primitive, the segments of the batch; gives whether it has: otherwise they must come one by one.

@@ -349,6 +349,9 @@ impl Builder<'_> {
         self.program.light = true;
         let reason = "only depth and an interpolated colour: one stage does whole runs of a row";
         self.fill_runs(&fill::FILL, tests, color, reason);
+        if tests.depth.is_some() && color != 0 {
+            self.fill_rows([Some(&fill_rows::ROWS_COLOR), None]);
+        }
     }
 
     /// The same with texels that are stored as they are, if they come from one image, or with what such an image shows.
