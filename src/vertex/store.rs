@@ -142,33 +142,46 @@ impl Store {
         self.lanes.get(block * self.per_block..(block + 1) * self.per_block)
     }
 
-    /// Copies some numbers of some vertices: those of one block at once, where they are all of it.
+    /// Copies some numbers of some vertices.
     fn copy<'a>(&self, keys: &Keys<'_>, skip: usize, to: impl Iterator<Item = &'a mut Lanes>) {
-        let whole = match keys {
-            Keys::Range(range) if range.len() <= self.each => {
+        match keys {
+            Keys::Range(range) => {
                 let (block, lane) = self.place(range.start);
-                self.block(block).filter(|_| lane == 0)
-            }
-            _ => None,
-        };
-        match whole {
-            Some(block) => {
-                for (to, from) in to.zip(block.iter().skip(skip)) {
-                    *to = *from;
+                let here = range.len().min(self.each - lane);
+                let beyond = range.len() - here;
+                if beyond > self.each {
+                    let list: [u32; LANES] = std::array::from_fn(|i| range.start.saturating_add(i as u32));
+                    return self.copy_each(&list[..range.len().min(LANES)], skip, to);
                 }
-            }
-            None => {
-                let mut at = [0; LANES];
-                for (i, at) in at.iter_mut().enumerate() {
-                    let (block, lane) = self.place(keys.get(i).unwrap_or(0));
-                    *at = (block * self.per_block + skip) * LANES + lane;
+                let numbers = |block: usize| self.block(block).and_then(|lanes| lanes.get(skip..)).unwrap_or_default();
+                if lane == 0 && beyond == 0 {
+                    to.zip(numbers(block)).for_each(|(to, from)| *to = *from);
+                    return;
                 }
-                let numbers = self.lanes.as_flattened();
-                for (k, to) in to.enumerate() {
-                    for (to, at) in to.iter_mut().zip(at).take(keys.len()) {
-                        *to = numbers.get(at + k * LANES).copied().unwrap_or(0.0);
+                // Neighbours that lie in two blocks.
+                let next = numbers(block + 1).iter().map(Some).chain(std::iter::repeat(None));
+                for ((to, from), next) in to.zip(numbers(block)).zip(next) {
+                    let (first, last) = to.split_at_mut(here);
+                    first.copy_from_slice(&from[lane..lane + here]);
+                    if let Some(next) = next {
+                        last[..beyond].copy_from_slice(&next[..beyond]);
                     }
                 }
+            }
+            Keys::List(list) => self.copy_each(list, skip, to),
+        }
+    }
+
+    fn copy_each<'a>(&self, list: &[u32], skip: usize, to: impl Iterator<Item = &'a mut Lanes>) {
+        let mut at = [0; LANES];
+        for (at, key) in at.iter_mut().zip(list) {
+            let (block, lane) = self.place(*key);
+            *at = (block * self.per_block + skip) * LANES + lane;
+        }
+        let numbers = self.lanes.as_flattened();
+        for (k, to) in to.enumerate() {
+            for (to, at) in to.iter_mut().zip(at).take(list.len()) {
+                *to = numbers.get(at + k * LANES).copied().unwrap_or(0.0);
             }
         }
     }
@@ -187,5 +200,48 @@ impl Source for Store {
 
     fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         self.copy(keys, POSITION, attributes(batch, self.kept));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::current::Current;
+
+    #[test]
+    fn vertices_come_back_whatever_blocks_they_lie_in() {
+        for each in [48, LANES] {
+            let (mut store, mut batch) = (Store::default(), VertexBatch::new());
+            store.clear(needs::COLOR, each);
+            let color = |i: u32| [i as f32, 0.5, -(i as f32), 1.0];
+            for i in 0..200 {
+                batch.push(
+                    [i as f32, 2.0 * i as f32, 0.0, 1.0],
+                    &Current { color: color(i), ..Current::default() },
+                    u32::MAX,
+                );
+                if batch.n == each {
+                    assert!(store.push(&mut batch));
+                    batch.clear();
+                }
+            }
+            assert!(store.push(&mut batch));
+            assert_eq!((store.len(), store.blocks()), (200, 200_usize.div_ceil(each)));
+            let mut check = |keys: &Keys<'_>| {
+                store.places(keys, &mut batch);
+                store.values(keys, &mut batch);
+                assert_eq!(batch.n, keys.len());
+                for lane in 0..batch.n {
+                    let i = keys.get(lane).expect("a vertex");
+                    let position = batch.position.map(|lanes| lanes[lane]);
+                    assert_eq!(position, [i as f32, 2.0 * i as f32, 0.0, 1.0], "blocks of {each}, {keys:?}");
+                    assert_eq!(batch.current(lane).color, color(i));
+                }
+            };
+            for (from, until) in [(0, 48), (0, 64), (47, 111), (48, 96), (5, 6), (60, 124), (130, 194), (192, 200)] {
+                check(&Keys::Range(from..until));
+            }
+            check(&Keys::List(&[199, 0, 64, 63, 48, 47, 3]));
+        }
     }
 }
