@@ -26,41 +26,49 @@ impl Terms<f32> {
     #[inline(always)]
     pub(super) fn new(f: &Linear, row: Option<f32>) -> Self {
         let (at, x, y) = (f.at as f32, f.x as f32, f.y as f32);
-        Self { at: row.map_or(at, |row| at + y * row), x, y }
+        match row {
+            Some(row) => Self { at: at + y * row, x, y: 0.0 },
+            None => Self { at, x, y },
+        }
     }
 }
 
 impl Terms<f64> {
     #[inline(always)]
     fn wide(f: &Linear, row: Option<f32>) -> Self {
-        Self { at: row.map_or(f.at, |row| f.at + f.y * f64::from(row)), x: f.x, y: f.y }
+        match row {
+            Some(row) => Self { at: f.at + f.y * f64::from(row), x: f.x, y: 0.0 },
+            None => Self { at: f.at, x: f.x, y: f.y },
+        }
     }
 }
 
 /// Where N pixels are, relative to the primitive's origin.
-pub(super) trait Place<const N: usize> {
+pub(super) trait Place<const N: usize>: Copy {
     /// A function at lane i.
-    fn sum(&self, f: &Terms<f32>, i: usize) -> f32;
+    fn sum(self, f: &Terms<f32>, i: usize) -> f32;
     /// The same in `f64`.
-    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64;
+    fn sum64(self, f: &Terms<f64>, i: usize) -> f64;
 }
 
 /// Pixels of a row from this x on.
+#[derive(Clone, Copy)]
 pub(super) struct From(pub f32);
 
 impl<const N: usize> Place<N> for From {
     #[inline(always)]
-    fn sum(&self, f: &Terms<f32>, i: usize) -> f32 {
+    fn sum(self, f: &Terms<f32>, i: usize) -> f32 {
         f.at + f.x * (self.0 + IOTA[i])
     }
 
     #[inline(always)]
-    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64 {
+    fn sum64(self, f: &Terms<f64>, i: usize) -> f64 {
         f.at + f.x * f64::from(self.0 + IOTA[i])
     }
 }
 
 /// Pixels of a row from this x on and with this y, where functions are not those of the row.
+#[derive(Clone, Copy)]
 pub(super) struct Step {
     pub x: f32,
     pub y: f32,
@@ -68,12 +76,12 @@ pub(super) struct Step {
 
 impl<const N: usize> Place<N> for Step {
     #[inline(always)]
-    fn sum(&self, f: &Terms<f32>, i: usize) -> f32 {
+    fn sum(self, f: &Terms<f32>, i: usize) -> f32 {
         (f.at + f.y * self.y) + f.x * (self.x + IOTA[i])
     }
 
     #[inline(always)]
-    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64 {
+    fn sum64(self, f: &Terms<f64>, i: usize) -> f64 {
         (f.at + f.y * f64::from(self.y)) + f.x * f64::from(self.x + IOTA[i])
     }
 }
@@ -84,14 +92,14 @@ pub(super) struct Points<const N: usize> {
     pub y: [f32; N],
 }
 
-impl<const N: usize> Place<N> for Points<N> {
+impl<const N: usize> Place<N> for &Points<N> {
     #[inline(always)]
-    fn sum(&self, f: &Terms<f32>, i: usize) -> f32 {
+    fn sum(self, f: &Terms<f32>, i: usize) -> f32 {
         (f.at + f.y * self.y[i]) + f.x * self.x[i]
     }
 
     #[inline(always)]
-    fn sum64(&self, f: &Terms<f64>, i: usize) -> f64 {
+    fn sum64(self, f: &Terms<f64>, i: usize) -> f64 {
         (f.at + f.y * f64::from(self.y[i])) + f.x * f64::from(self.x[i])
     }
 }
@@ -126,13 +134,13 @@ impl Along<f32> {
 
     /// The value at lane i where w is the same everywhere.
     #[inline(always)]
-    pub(super) fn even<const N: usize>(&self, place: &impl Place<N>, i: usize) -> f32 {
+    pub(super) fn even<const N: usize>(&self, place: impl Place<N>, i: usize) -> f32 {
         clamp_f32(self.c + place.sum(&self.n, i), self.min, self.max)
     }
 
     /// The value at lane i, 1 / D being `rq`.
     #[inline(always)]
-    pub(super) fn divided<const N: usize>(&self, place: &impl Place<N>, i: usize, rq: f32) -> f32 {
+    pub(super) fn divided<const N: usize>(&self, place: impl Place<N>, i: usize, rq: f32) -> f32 {
         clamp_f32(self.c + place.sum(&self.n, i) * rq, self.min, self.max)
     }
 }
@@ -140,7 +148,7 @@ impl Along<f32> {
 impl Along<f32> {
     /// N / D, with 1 / D.
     #[inline(always)]
-    pub(super) fn offsets<const N: usize>(&self, place: &impl Place<N>, rq: &[f32; N]) -> [f32; N] {
+    pub(super) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f32; N]) -> [f32; N] {
         let mut t = [0.0; N];
         for i in 0..N {
             t[i] = place.sum(&self.n, i) * rq[i];
@@ -162,7 +170,7 @@ impl Along<f32> {
 impl Along<f64> {
     /// N / D, with 1 / D.
     #[inline(always)]
-    pub(super) fn offsets<const N: usize>(&self, place: &impl Place<N>, rq: &[f64; N]) -> [f64; N] {
+    pub(super) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f64; N]) -> [f64; N] {
         let mut t = [0.0; N];
         for i in 0..N {
             t[i] = place.sum64(&self.n, i) * rq[i];
@@ -223,7 +231,7 @@ impl Along<f64> {
 
 /// 1 / D.
 #[inline(always)]
-pub(super) fn reciprocals<const N: usize>(d: &Divisor<f64>, place: &impl Place<N>) -> [f64; N] {
+pub(super) fn reciprocals<const N: usize>(d: &Divisor<f64>, place: impl Place<N>) -> [f64; N] {
     let mut rq = [0.0; N];
     for i in 0..N {
         rq[i] = reciprocal64(place.sum64(d, i));
@@ -307,7 +315,7 @@ impl<const K: usize> Form<K> {
     #[inline(always)]
     pub(super) fn values<const N: usize>(
         &self,
-        place: &impl Place<N>,
+        place: impl Place<N>,
         rq: &[f32; N],
         repeats: &[bool; K],
     ) -> [[f32; N]; K] {

@@ -37,13 +37,13 @@ pub(super) trait Source {
     const BLENDS: bool = false;
 
     /// The pixels at a place; `out` holds what is there before where that is blended with.
-    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]);
+    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]);
 
     /// Writes the pixels of a row from x on, relative to the primitive's origin.
     #[inline(always)]
     fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
         let mut pixels = if Self::BLENDS { *to } else { [0; N] };
-        self.pixels(&From(x as f32), &mut pixels);
+        self.pixels(From(x as f32), &mut pixels);
         *to = pixels;
     }
 
@@ -51,14 +51,14 @@ pub(super) trait Source {
     #[inline(always)]
     fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
         let mut pixels = if Self::BLENDS { *to } else { [0; N] };
-        self.pixels(&From(x as f32), &mut pixels);
+        self.pixels(From(x as f32), &mut pixels);
         write(false, mask, &pixels, to);
     }
 }
 
 impl Source for Paint {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         Paint::pixels(self, place, out);
     }
 }

@@ -68,7 +68,7 @@ pub(super) fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: 
 
 impl<const FORMAT: u8> Source for TwoLevels<'_, FORMAT> {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         let mut rw = [1.0; N];
         if let Some(d) = &self.d {
             divided(d, place, &mut rw);

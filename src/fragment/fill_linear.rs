@@ -118,7 +118,7 @@ pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8
 
 /// 1 / D.
 #[inline(always)]
-pub(super) fn divided<const N: usize>(d: &Divisor<f32>, place: &impl Place<N>, rw: &mut [f32; N]) {
+pub(super) fn divided<const N: usize>(d: &Divisor<f32>, place: impl Place<N>, rw: &mut [f32; N]) {
     for i in 0..N {
         rw[i] = 1.0 / place.sum(d, i);
     }
@@ -126,7 +126,7 @@ pub(super) fn divided<const N: usize>(d: &Divisor<f32>, place: &impl Place<N>, r
 
 /// The values of a plane from x on; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
 #[inline(always)]
-pub(super) fn primary<const N: usize>(p: &Along<f32>, place: &impl Place<N>, rw: &[f32; N], even: bool) -> [f32; N] {
+pub(super) fn primary<const N: usize>(p: &Along<f32>, place: impl Place<N>, rw: &[f32; N], even: bool) -> [f32; N] {
     let mut out = [0.0; N];
     if even {
         for i in 0..N {
@@ -215,7 +215,7 @@ impl Environment {
     pub(super) fn pixels<const N: usize, const BLENDED: bool>(
         &self,
         texels: &mut [[f32; N]; 4],
-        place: &impl Place<N>,
+        place: impl Place<N>,
         rw: &[f32; N],
         even: bool,
         out: &mut [u32; N],
@@ -341,7 +341,7 @@ impl<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> S
     const BLENDS: bool = BLENDED;
 
     #[inline(always)]
-    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         let mut rw = [1.0; N];
         if let Some(d) = &self.d {
             divided(d, place, &mut rw);

@@ -298,7 +298,7 @@ fn paint_step<const N: usize>(
     let mask = test.pass::<N>(slope, x, n, depth);
     if any(&mask) {
         let mut out = [0; N];
-        paint.pixels(&Step { x: x as f32, y: y as f32 }, &mut out);
+        paint.pixels(Step { x: x as f32, y: y as f32 }, &mut out);
         write(false, &mask, &out, pixels);
     }
     true

@@ -74,7 +74,7 @@ impl<'a> Texels<'a> {
 
     /// Where the texels of pixels are.
     #[inline(always)]
-    fn places<const N: usize>(&self, place: &impl Place<N>) -> [u32; N] {
+    fn places<const N: usize>(&self, place: impl Place<N>) -> [u32; N] {
         let mut at = [0; N];
         match (&self.form, &self.d) {
             (Form::Even([s, t]), _) => {
@@ -112,13 +112,13 @@ impl<'a> Texels<'a> {
 
 impl Source for Texels<'_> {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         self.found(&self.places(place), out);
     }
 
     #[inline(always)]
     fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let at = self.places::<N>(&From(x as f32));
+        let at = self.places::<N>(From(x as f32));
         if let Form::Even(_) = self.form
             && let Some(run) =
                 neighbours(&at).and_then(|first| self.texels.get(first..)).and_then(|t| t.first_chunk::<N>())

@@ -115,7 +115,7 @@ fn times<const N: usize>(channel: &[f32; N], by: &[f32; N]) -> [f32; N] {
 
 impl Source for TwoUnits<'_> {
     #[inline(always)]
-    fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         let (mut rw, even) = ([1.0; N], self.d.is_none());
         if let Some(d) = &self.d {
             divided(d, place, &mut rw);

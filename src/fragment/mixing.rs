@@ -114,7 +114,7 @@ impl<const K: usize> Mixing<K> {
     pub(super) fn values<const N: usize>(
         &self,
         form: &Form<K>,
-        place: &impl Place<N>,
+        place: impl Place<N>,
         rw: &[f32; N],
         repeats: &[bool; K],
     ) -> ([[f32; N]; K], [f32; N]) {

@@ -117,7 +117,7 @@ impl Paint {
 
     /// The pixels at a place.
     #[inline(always)]
-    pub(super) fn pixels<const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+    pub(super) fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         match self {
             Self::Flat(packed) => *out = [*packed; N],
             Self::Smooth(smooth) if smooth.opaque => smooth.pixels::<true, N>(place, out),
@@ -128,7 +128,7 @@ impl Paint {
 
 impl Smooth {
     #[inline(always)]
-    fn pixels<const OPAQUE: bool, const N: usize>(&self, place: &impl Place<N>, out: &mut [u32; N]) {
+    fn pixels<const OPAQUE: bool, const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         let [red, green, blue, alpha] = self.channels;
         if let Some(d) = &self.d {
             for i in 0..N {
@@ -155,7 +155,7 @@ fn color_packed(b: &mut FragmentBatch, slot: usize, or: u32, w: &Work<'_, '_>, a
         && let (x, y) = row_origin(&b.segments[0], planes)
         && let Some(paint) = Paint::new(planes, pool, Some(y), or)
     {
-        paint.pixels(&From(x as f32), &mut b.packed);
+        paint.pixels(From(x as f32), &mut b.packed);
         return;
     }
     for s in 0..b.segment_count.min(LANES) {

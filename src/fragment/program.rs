@@ -123,7 +123,7 @@ const FILLED: u32 = 8;
 const SHOWN: u32 = 48;
 /// Shorter rows than this are done together with the others of their primitive.
 const COLLECTED: u32 = 128;
-/// The same of a stage that reads no texture.
+/// The same of a stage that reads no texture. Texels that are copied are so faster row by row, from [`SHOWN`] on.
 const PAINTED: u32 = 64;
 /// From this length on a run, or what is left of it, is worth a batch of its own: stages that compute whole rows are
 /// faster than those that go over the pieces of several, but compute unused lanes as well.
@@ -195,9 +195,10 @@ impl Program {
     /// Shorter runs than this may be collected, those of one primitive at a time, and given to [`rows`](Self::rows).
     #[must_use]
     pub fn rows_below(&self) -> u32 {
-        match (&self.rows[0], self.light) {
-            (None, _) => 0,
-            (_, true) => PAINTED,
+        match (&self.rows[0], self.light, &self.uniforms.copied) {
+            (None, ..) => 0,
+            (_, true, _) => PAINTED,
+            (.., Some(_)) => SHOWN,
             _ => COLLECTED,
         }
     }
