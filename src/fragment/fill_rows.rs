@@ -9,7 +9,7 @@ use super::buffers::write;
 use super::compare::{Func, any, compare, digits};
 use super::coordinates::unit;
 use super::depth::WRITE;
-use super::depth_rows::{Slope, lanes};
+use super::depth_rows::{Slope, coarse, hidden, lanes};
 use super::detail::{self, Reads};
 use super::fill::{DEPTH, Part, Parts, Source};
 use super::fill_levels::Between;
@@ -28,6 +28,8 @@ const STEP: usize = 16;
 const FEW: usize = 16;
 /// Depths of a cache line.
 const LINE: usize = 16;
+/// Rows from this length on are asked for whether the coarse depths hide them.
+const HIDES: u32 = 64;
 /// What a list holds: up to 64 pixels, and what a step may add.
 const ROOM: usize = LANES + STEP + 8;
 
@@ -186,6 +188,26 @@ fn limits(rows: &[Segment], planes: &Planes) -> [[i32; 2]; 2] {
     [[least[0], greatest[0]], [least[1], greatest[1]]]
 }
 
+/// Takes pixels off the rows' starts that the coarse depths hide.
+#[inline(always)]
+fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_>, func: Func) {
+    if !coarse(func) {
+        return;
+    }
+    for row in rows {
+        if row.len >= HIDES {
+            let x = row.x.wrapping_sub(planes.origin[0]);
+            let n = hidden(w.band, row, &slope(row, planes, u), x, func);
+            *row = Segment {
+                x: row.x.wrapping_add(n.cast_signed()),
+                offset: row.offset.wrapping_add(n),
+                len: row.len.saturating_sub(n),
+                ..*row
+            };
+        }
+    }
+}
+
 /// Reads a depth of each cache line that rows will read. Processors foresee what comes next in a row, but not where the next
 /// one begins: so that is not waited for row by row, but for all rows at once.
 #[inline(always)]
@@ -193,6 +215,9 @@ fn touch(rows: &[Segment], depth: &[u32]) {
     let mut sum = 0u32;
     for row in rows {
         let (start, len) = (row.offset as usize, row.len as usize);
+        if len == 0 {
+            continue;
+        }
         for at in (0..len).step_by(LINE) {
             sum ^= depth.get(start + at).copied().unwrap_or(0);
         }
@@ -223,10 +248,13 @@ fn textured<const K: usize, P: Parts<K>>(
     };
     let Some(reads) = reads else { return };
     let part = Part { segment: *first, extent: Extent::All, unit, reads };
-    if let Some(source) = of.source(u, w, &part) {
-        colored(rows, (planes, &source), u, w, arg);
-        b.tex.n = rows.len();
+    let Some(source) = of.source(u, w, &part) else { return };
+    let rows = b.segments.get_mut(..b.segment_count).unwrap_or(&mut []);
+    if let Some(test) = Test::new(arg) {
+        trim(rows, planes, u, w, test.func);
     }
+    colored(rows, (planes, &source), u, w, arg);
+    b.tex.n = rows.len();
 }
 
 /// Colours of the rows of a primitive.
