@@ -261,10 +261,10 @@ impl<P: Shader> Flush<'_, P> {
                 // Only polygons are stippled this way; a smooth line is stippled by setup, and its outline has 4 corners.
                 let pattern = stipple.filter(|_| outline.count == 3);
                 for y in cut(outline.rect.y0, outline.rect.y1) {
-                    let (x0, x1) = outline.columns(y);
-                    for x in x0..x1 {
+                    let row = outline.row(y);
+                    for x in row.columns.0..row.columns.1 {
                         let bit = pattern.is_none_or(|rows| rows[y as usize & 31] << (x as u32 & 31) >> 31 != 0);
-                        let coverage = if bit { outline.coverage(x, y) } else { 0.0 };
+                        let coverage = if bit { row.coverage(x) } else { 0.0 };
                         if coverage > 0.0 {
                             to.run(x, y, 1, coverage, sink);
                         }
