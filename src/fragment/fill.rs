@@ -56,6 +56,16 @@ pub(super) trait Source {
     }
 }
 
+/// The same pixel everywhere.
+struct Same(u32);
+
+impl Source for Same {
+    #[inline(always)]
+    fn pixels<const N: usize>(&self, _place: impl Place<N>, out: &mut [u32; N]) {
+        *out = [self.0; N];
+    }
+}
+
 impl Source for Paint {
     #[inline(always)]
     fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
@@ -287,7 +297,11 @@ stage! {
             }
             return;
         }
-        b.tex.n = run(w, &segment, x, &Run { depth, source: paint });
+        // Apart, so that neither loop asks of which kind it is.
+        b.tex.n = match paint {
+            Some(Paint::Flat(packed)) => run(w, &segment, x, &Run { depth, source: Some(Same(packed)) }),
+            _ => run(w, &segment, x, &Run { depth, source: paint }),
+        };
     }
 
     /// The same with the nearest texel of one image in the place of a colour. What it does not do (at the end of the
