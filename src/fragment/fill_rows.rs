@@ -24,6 +24,9 @@ use crate::texture::linear::{RGB, RGBA};
 
 /// Pixels whose depth is tested at a time.
 const STEP: usize = 16;
+/// Pixels that are tested and painted at a time where colours are not gathered: loops over 16 are unrolled before they become
+/// SIMD code.
+const WIDE: usize = 32;
 /// Pixels that are filtered at a time where few are left.
 const FEW: usize = 16;
 /// Depths of a cache line.
@@ -332,7 +335,7 @@ fn paint_step<const N: usize>(
     true
 }
 
-/// The same where colours cost so little that they are not gathered: 16 pixels of a row at a time.
+/// The same where colours cost so little that they are not gathered: 32 pixels of a row at a time.
 #[inline(always)]
 fn painted(rows: &[Segment], (planes, paint): (&Planes, &Paint), u: &FragUniforms, w: &mut Work<'_, '_>, test: Test) {
     touch(rows, w.band.depth);
@@ -341,9 +344,9 @@ fn painted(rows: &[Segment], (planes, paint): (&Planes, &Paint), u: &FragUniform
         let along = slope(row, planes, u);
         let mut done = 0;
         while done < row.len {
-            let n = if row.len - done < STEP as u32 { row.len - done } else { STEP as u32 };
+            let n = if row.len - done < WIDE as u32 { row.len - done } else { WIDE as u32 };
             let (x, offset) = (x.wrapping_add(done.cast_signed()), row.offset.wrapping_add(done));
-            if !paint_step::<STEP>(w, (paint, &along, test), (x, y, n), offset) {
+            if !paint_step::<WIDE>(w, (paint, &along, test), (x, y, n), offset) {
                 for i in 0..n {
                     let x = x.wrapping_add(i.cast_signed());
                     paint_step::<1>(w, (paint, &along, test), (x, y, 1), offset.wrapping_add(i));

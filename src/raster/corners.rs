@@ -25,13 +25,11 @@ impl Default for Corners {
 }
 
 impl Corners {
-    /// The slots of a corner.
-    pub(super) fn slots(&self, lane: usize, corner: usize, count: usize) -> [f32; MOST_SLOTS] {
-        let mut slots = [0.0; MOST_SLOTS];
-        for (to, from) in slots.iter_mut().zip(&self.slots).take(count) {
+    /// The slots of a corner, as many as there is room for.
+    pub(super) fn slots(&self, lane: usize, corner: usize, to: &mut [f32]) {
+        for (to, from) in to.iter_mut().zip(&self.slots) {
             *to = from[corner % 3][lane % GROUP];
         }
-        slots
     }
 
     /// The vertex at a corner, as far as planes depend on it.

@@ -321,8 +321,13 @@ impl Geometry {
         let count = cx.recipe.layout().count;
         let corners = &self.group.corners;
         let vertex = [0, 1, 2].map(|corner| corners.vertex(lane, corner));
-        let slots = [0, 1, 2].map(|corner| corners.slots(lane, corner, count));
-        let v = [0, 1, 2].map(|i: usize| VertexRef { head: &vertex[i], slots: slots[i].get(..count).unwrap_or(&[]) });
+        let mut room = [0.0; 3 * MOST_SLOTS];
+        let count = count.min(MOST_SLOTS);
+        for (corner, to) in room.chunks_exact_mut(count.max(1)).enumerate().take(3) {
+            corners.slots(lane, corner, to);
+        }
+        let slots = |corner: usize| room.get(corner * count..(corner + 1) * count).unwrap_or_default();
+        let v = [0, 1, 2].map(|corner: usize| VertexRef { head: &vertex[corner], slots: slots(corner) });
         let t = Triangle { v, provoking: v[2].slots, edges: [true; 3] };
         run(self, &t, twice_area(&v.map(|v| v.head.snapped)))
     }
