@@ -27,8 +27,8 @@ mod stage;
 #[path = "bench/timing.rs"]
 mod timing;
 
-use fixedgl::batch::Level;
 use fixedgl::context::Config;
+use fixedgl::simd::Level;
 use scenes::{SCENES, Scene};
 use std::path::PathBuf;
 use std::process::{ExitCode, exit};

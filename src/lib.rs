@@ -48,13 +48,12 @@
 //! | [`framebuffer`] | colour, depth, stencil and accumulation buffers |
 //! | [`pixels`] | formats and types, unpack, pack, pixel transfer |
 //! | [`state`] | a struct for each group of the state tables |
-//! | [`batch`] | stages, plans, instruction sets |
+//! | [`simd`] | stages, plans, instruction sets |
 //! | [`num`], [`enums`], [`error`], [`limits`] | numbers that are the same everywhere, GL's constants, errors, limits |
 //!
 //! The pages of `spec-notes/` tell how each chapter of the specification is done; begin with
 //! `spec-notes/how-a-vertex-becomes-a-pixel.md`.
 
-pub mod batch;
 pub mod c;
 #[cfg(feature = "capi")]
 pub mod capi;
@@ -72,6 +71,7 @@ pub mod num;
 pub mod obj;
 pub mod pixels;
 pub mod raster;
+pub mod simd;
 pub mod state;
 pub mod teach;
 pub mod texture;

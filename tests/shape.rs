@@ -19,7 +19,7 @@ const ROOMS: &[&[&str]] = &[
     &["framebuffer"],
     &["pixels"],
     &["state"],
-    &["batch"],
+    &["simd"],
     &["num", "enums", "error", "limits"],
 ];
 

@@ -10,7 +10,7 @@
 use super::scenes::{SCENES, Scene, Unit};
 use super::stage::Stage;
 use super::{Options, Task, timing};
-use fixedgl::batch::Level;
+use fixedgl::simd::Level;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;

@@ -3,10 +3,10 @@
 //! a shared library. What GL does with pointers has rows of its own at the end of the trait.
 
 use fixedgl::Context;
-use fixedgl::batch::Level;
 use fixedgl::context::{Config, Element};
 use fixedgl::enums::*;
 use fixedgl::framebuffer::FramebufferFormat;
+use fixedgl::simd::Level;
 
 /// Hands the table of commands without pointers to a macro.
 macro_rules! commands {

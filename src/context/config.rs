@@ -1,8 +1,8 @@
 //! How a context runs: which instruction set, how many threads, which buffers. Nothing here changes a bit of a picture
 //! (apart from the buffers themselves); that is what the invariance tests check.
 
-use crate::batch::{LANES, Level};
 use crate::framebuffer::FramebufferFormat;
+use crate::simd::{LANES, Level};
 
 /// How a context runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@ use super::arrays::{ATTRIBUTES, Arrays, Attribute, Pointer};
 use super::buffers::Buffers;
 use super::convert::{Component, Coordinate};
 use super::pixels_arg::ArrayData;
-use crate::batch::LANES;
 use crate::enums::*;
+use crate::simd::LANES;
 use crate::vertex::batch::{Lanes, VertexBatch, needs};
 use crate::vertex::{Keys, Source};
 

@@ -4,11 +4,11 @@
 
 use super::begin_end::LONG;
 use super::engine::Engine;
-use crate::batch::{Counters, Tally};
 use crate::enums::{GL_FILL, name};
 use crate::fragment::program::{Decision, Options, Program};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::raster::{Draw, RasterState};
+use crate::simd::{Counters, Tally};
 use crate::state::Dirty;
 use crate::state::texture::Target;
 use crate::texture::object::TextureObject;

@@ -6,8 +6,8 @@ use super::batch::FragmentBatch;
 use super::compare::{Func, any, compare};
 use super::pack::byte;
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::num::clamp01;
+use crate::simd::{LANES, stage};
 
 stage! {
     /// The alpha test on bytes.

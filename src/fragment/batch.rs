@@ -2,7 +2,7 @@
 //! primitive. Stages that need the primitive (interpolation) walk the segments; all others see 64 lanes.
 
 use super::detail::Ahead;
-use crate::batch::LANES;
+use crate::simd::LANES;
 use crate::texture::batch::{Lanes, TexBatch};
 
 /// A run of lanes of one primitive. The segments of a batch follow each other: the first starts at lane 0, each next one

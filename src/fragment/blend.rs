@@ -10,9 +10,9 @@ use super::batch::FragmentBatch;
 use super::buffers::{load, places, store};
 use super::pack::whole_pixel;
 use super::uniforms::{BlendUniforms, FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::enums::*;
 use crate::num::{clamp_f32, clamp01, max_f32, min_f32};
+use crate::simd::{LANES, stage};
 use crate::texture::batch::Lanes;
 
 /// A blending factor.

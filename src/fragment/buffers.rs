@@ -4,7 +4,7 @@
 use super::batch::{FragmentBatch, Segment};
 use super::compare::all;
 use super::segments::{CHUNK, Lane, Piece, before_lane, from_lane, ones, pieces, put, sanitise};
-use crate::batch::LANES;
+use crate::simd::LANES;
 
 /// Where the lanes of a batch are.
 #[derive(Clone, Copy)]

@@ -135,7 +135,7 @@ pub(super) fn all<const N: usize>(mask: &[u32; N]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::LANES;
+    use crate::simd::LANES;
 
     #[test]
     fn the_functions_do_what_their_names_say() {

@@ -17,8 +17,8 @@ use super::segments::{
 };
 use super::uniforms::{FragFn, FragUniforms, Work};
 use super::wide::{wide_lanes, wide_piece};
-use crate::batch::{LANES, stage};
 use crate::num::{clamp_f32, max_f32};
+use crate::simd::{LANES, stage};
 use crate::texture::batch::{Detail, Lanes};
 
 /// Bits of the number of [`COORDINATES`]: [`FIRST`], this one for derivatives, the unit from bit 2 on, then [`ALONE`].

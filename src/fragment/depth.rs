@@ -8,7 +8,7 @@ use super::compare::{Func, any, compare};
 use super::depth_rows::Slope;
 use super::segments::{CHUNK, linear64, pieces, positions, put, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
+use crate::simd::{LANES, stage};
 
 /// 2^52: a float whose unit in the last place is 1, so that the low half of its bits is the rounded integer.
 const WHOLE: f64 = 4_503_599_627_370_496.0;

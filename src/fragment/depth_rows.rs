@@ -10,8 +10,8 @@ use super::depth::{WRITE, depths, quantise, test, whole};
 use super::planes::Linear;
 use super::segments::{IOTA, ones, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::framebuffer::{BLOCK, Band};
+use crate::simd::{LANES, stage};
 
 /// Depth along a row.
 #[derive(Clone, Copy)]

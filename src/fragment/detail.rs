@@ -12,8 +12,8 @@
 
 use super::coordinates::{Unit, is_even};
 use super::mixing::even_rho2;
-use crate::batch::LANES;
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::simd::LANES;
 use crate::texture::batch::{Detail, TexBatch};
 use crate::texture::lod::Levels;
 
@@ -277,7 +277,7 @@ mod tests {
     use super::super::planes::{Linear, Plane, Planes, UnitSlots};
     use super::super::segments::Row;
     use super::*;
-    use crate::batch::LANES;
+    use crate::simd::LANES;
 
     /// Numbers between -1 and 1.
     fn numbers() -> impl FnMut() -> f64 {

@@ -19,7 +19,7 @@ use super::pack::Paint;
 use super::planes::Planes;
 use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
+use crate::simd::{LANES, stage};
 use crate::texture::linear::{RGB, RGBA};
 
 /// Bits of [`FILL`]'s number above those of the depth test: depth is tested, colour is written.

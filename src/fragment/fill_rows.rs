@@ -19,7 +19,7 @@ use super::pack::Paint;
 use super::planes::Planes;
 use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{BITS, LANES, stage};
+use crate::simd::{BITS, LANES, stage};
 use crate::texture::linear::{RGB, RGBA};
 
 /// Pixels whose depth is tested at a time.

@@ -4,8 +4,8 @@
 use super::batch::FragmentBatch;
 use super::buffers::{load, places, store};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::num::clamp01;
+use crate::simd::{LANES, stage};
 
 stage! {
     /// Reads the pixels.

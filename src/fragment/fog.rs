@@ -8,8 +8,8 @@
 
 use super::batch::FragmentBatch;
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::num::{clamp_f32, clamp01, exp_f32};
+use crate::simd::{LANES, stage};
 
 /// A fog coordinate without infinities and NaN, so that density 0 means no fog for every fragment.
 #[inline(always)]

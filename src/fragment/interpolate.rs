@@ -9,8 +9,8 @@ use super::segments::{
     single_row,
 };
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::num::clamp_f32;
+use crate::simd::{LANES, stage};
 use crate::texture::batch::Lanes;
 
 /// 1 / D with one Newton step in `f64`: what the planes of wide primitives are multiplied with.

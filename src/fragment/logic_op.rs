@@ -3,7 +3,7 @@
 
 use super::batch::FragmentBatch;
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
+use crate::simd::{LANES, stage};
 
 stage! {
     /// The operation whose enumerant is GL_CLEAR plus the stage's number.

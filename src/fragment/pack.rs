@@ -10,8 +10,8 @@ use super::interpolate::{FIRST, group, primitive, reciprocals, value, value_of_m
 use super::planes::{Linear, Plane, Planes};
 use super::segments::{CHUNK, pieces, positions, put, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::num::{clamp_f32, clamp01, round_to_int};
+use crate::simd::{LANES, stage};
 use crate::texture::batch::Lanes;
 
 /// A channel in [0, 1] as a byte.

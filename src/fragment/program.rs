@@ -7,8 +7,8 @@ use super::fill::{COLOR, DEPTH};
 use super::pack::constant;
 use super::planes::{Layout, PlanePool, Planes};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, Step, Tally};
 use crate::framebuffer::Band;
+use crate::simd::{LANES, Step, Tally};
 use crate::texture::env::EnvPlan;
 use crate::texture::sampler::Sampler;
 

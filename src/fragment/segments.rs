@@ -4,7 +4,7 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::planes::{Linear, Planes};
-use crate::batch::LANES;
+use crate::simd::LANES;
 use crate::texture::batch::Lanes;
 
 /// Lanes of a chunk.

@@ -7,8 +7,8 @@ use super::buffers::{load, places, store};
 use super::compare::{Func, any, compare};
 use super::segments::{Lane, ones};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
 use crate::enums::{GL_DECR, GL_DECR_WRAP, GL_INCR, GL_INCR_WRAP, GL_INVERT, GL_REPLACE, GL_ZERO, GLenum};
+use crate::simd::{LANES, stage};
 
 /// What happens to a stencil value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use super::interpolate::FIRST;
 use super::planes::Planes;
 use super::program::{Action, Program};
 use super::uniforms::Work;
-use crate::batch::{Counters, Tally};
+use crate::simd::{Counters, Tally};
 
 /// The stages that read 1 / D and compute it if their number has [`FIRST`].
 pub(super) const INTERPOLATING: &[&str] =

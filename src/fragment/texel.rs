@@ -10,7 +10,7 @@ use super::buffers::{places, store};
 use super::compare::{Func, any, compare};
 use super::pack::{byte, whole_pixel};
 use super::uniforms::{FragFn, FragUniforms, Work};
-use crate::batch::{LANES, stage};
+use crate::simd::{LANES, stage};
 use crate::texture::batch::{Lanes, TexBatch};
 
 /// In the number of a stage that packs: the alpha test follows, which is to see alpha as it is.

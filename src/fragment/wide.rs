@@ -7,8 +7,8 @@ use super::coordinates::{First, Unit, all_finite, divisors, finite, is_even};
 use super::interpolate::{reciprocal64, reciprocals};
 use super::planes::{Linear, Planes, UnitSlots};
 use super::segments::{CHUNK, Chunk, Piece, Positions, linear64, put};
-use crate::batch::LANES;
 use crate::num::{max_f32, round_f64};
+use crate::simd::LANES;
 use crate::texture::batch::{Detail, Lanes, TexBatch};
 use crate::texture::near::Range;
 

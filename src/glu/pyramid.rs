@@ -5,10 +5,10 @@
 //! both axes are taken together; the sums keep their order, first along the row, then across.
 
 use super::grid::{Grid, try_vec};
-use crate::batch::{Level, stage};
 use crate::num::f32_to_u8;
 use crate::pixels::transfer::Transfer;
 use crate::pixels::unpack::ClientImage;
+use crate::simd::{Level, stage};
 
 /// One level.
 pub(super) struct Floor {

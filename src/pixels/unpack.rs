@@ -7,10 +7,10 @@ use super::element::{Element, to_rgba8};
 use super::format::{Format, Kind, Packing, PixelFormat, Type};
 use super::geometry::Geometry;
 use super::transfer::Transfer;
-use crate::batch::{Level, stage};
 use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
 use crate::error::Outcome;
 use crate::num::{clamp01, unorm_to_f32};
+use crate::simd::{Level, stage};
 use crate::state::pixel::PixelStore;
 
 /// How many groups are converted at a time.

@@ -8,11 +8,11 @@ use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
 use super::scene::Draw;
 use super::shader::Shader;
-use crate::batch::Level;
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};
 use crate::fragment::program::ORDINARY;
 use crate::framebuffer::{Band, Framebuffer};
+use crate::simd::Level;
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
@@ -285,10 +285,10 @@ impl<P: Shader> Flush<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::{Flush, ORDINARY, PAYS, apart};
-    use crate::batch::Level;
     use crate::raster::geometry::{Cover, Geometry};
     use crate::raster::state::Rect;
     use crate::raster::testing::Board;
+    use crate::simd::Level;
     use std::slice::from_ref;
 
     #[test]

@@ -5,9 +5,9 @@
 //! sink, so that nearly all batches of a large primitive are one row; so do the short runs of a triangle, all together, where
 //! a program wants them.
 
-use crate::batch::{BITS, LANES, Level, count, stage};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::framebuffer::Band;
+use crate::simd::{BITS, LANES, Level, count, stage};
 
 /// What takes full batches.
 pub trait Sink {

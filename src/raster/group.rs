@@ -335,11 +335,11 @@ impl Geometry {
 
 #[cfg(test)]
 mod tests {
-    use crate::batch::Level;
     use crate::enums::*;
     use crate::fragment::planes::{Layout, UnitSlots};
     use crate::raster::testing::{Board, Random, vertex};
     use crate::raster::vertex::{Vertex, Vertices};
+    use crate::simd::Level;
     use crate::state::State;
 
     /// Colours, fog, a unit of two coordinates and a cube map; or only the first of that.

@@ -13,8 +13,8 @@ use super::rows::{ROWS, rows};
 use super::setup::LIMIT as LIMIT_OF_POSITIONS;
 use super::state::Rect;
 use super::weights::range;
-use crate::batch::stage;
 use crate::fragment::planes::{GROUP, Layout, PlaneGroup};
+use crate::simd::stage;
 
 /// One number for each triangle.
 pub(super) type Floats = [f64; GROUP];

@@ -10,8 +10,8 @@ use super::group_planes::{GroupFn, Rules, SET_UP_GROUP, TURN_GROUP, TurnFn, View
 use super::pool::Pool;
 use super::state::{Mode, RasterState};
 use super::weights::{FOUR, Four, FourFn, Weights};
-use crate::batch::Level;
 use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, Planes, UnitSlots};
+use crate::simd::Level;
 
 /// How a position relative to the origin becomes weights of the corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,8 +3,8 @@
 //! levels give the same bits.
 
 use super::plane::Basis;
-use crate::batch::stage;
 use crate::fragment::planes::{Linear, Plane};
+use crate::simd::stage;
 
 /// Basis and w together: the denominator, and the corners' parts of a numerator.
 pub(super) struct Weights {

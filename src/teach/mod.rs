@@ -16,9 +16,9 @@
 
 mod vertices;
 
-use crate::batch::{Counters, Tally};
 use crate::context::Context;
 pub use crate::fragment::program::{Decision, Fate};
+use crate::simd::{Counters, Tally};
 use std::fmt;
 
 /// What becomes of every stage in the present state.

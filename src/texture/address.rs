@@ -21,9 +21,9 @@
 use super::batch::{TexBatch, Work};
 use super::near::{Form, Range};
 use super::uniforms::{TexFn, UnitUniforms};
-use crate::batch::{LANES, Stage, stage};
 use crate::enums::*;
 use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
+use crate::simd::{LANES, Stage, stage};
 
 /// In a stage's argument: which coordinate (0 to 2).
 pub const COORDINATE: u32 = 3;

@@ -14,8 +14,8 @@
 use super::batch::{TexBatch, Work};
 use super::lod::{lambda, span};
 use super::uniforms::{TexFn, UnitUniforms};
-use crate::batch::{LANES, Stage, stage};
 use crate::num::{clamp_f32, floor_f32, max_f32, min_f32};
+use crate::simd::{LANES, Stage, stage};
 
 #[inline(always)]
 fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {

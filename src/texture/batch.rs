@@ -2,8 +2,8 @@
 //! texels of all units (crossbar reads any of them) and the colour as it passes through the environments. Part of a
 //! fragment batch; kept apart so that the texture room needs to know nothing of fragments.
 
-use crate::batch::LANES;
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::simd::LANES;
 
 /// One float for each lane.
 pub type Lanes = [f32; LANES];

@@ -7,9 +7,9 @@
 //! does nothing else.
 
 use super::batch::{Lanes, TexBatch};
-use crate::batch::{LANES, stage};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::{clamp01, min_f32};
+use crate::simd::{LANES, stage};
 
 /// A stage of an environment plan.
 pub type EnvFn = for<'a, 'b> unsafe fn(&'a mut TexBatch, &'b EnvUniforms, u32);

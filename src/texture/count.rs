@@ -8,7 +8,7 @@ use super::linear::WRAPS;
 use super::near::{Form, Range};
 use super::sampler::Sampler;
 use super::uniforms::TexFn;
-use crate::batch::Step;
+use crate::simd::Step;
 
 /// Beginnings of the names of stages, and the texels that such a stage reads for a lane.
 const TEXELS: &[(&str, u64)] = &[

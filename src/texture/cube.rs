@@ -13,7 +13,7 @@
 
 use super::batch::{Detail, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
-use crate::batch::{LANES, stage};
+use crate::simd::{LANES, stage};
 
 /// `v` with the sign of `ma` applied.
 #[inline(always)]

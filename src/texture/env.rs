@@ -9,9 +9,9 @@ use super::combine::{
     EnvFn, EnvUniforms, Function, Half, Operand, RGB, Source, argument, direct, function, weighted,
 };
 use super::format::BaseFormat;
-use crate::batch::{Level, Plan, Stage};
 use crate::enums::*;
 use crate::num::clamp01;
+use crate::simd::{Level, Plan, Stage};
 use crate::state::texture::Env;
 
 /// The environments of all units as a plan.
@@ -281,7 +281,7 @@ impl EnvPlan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::LANES;
+    use crate::simd::LANES;
     use BaseFormat::*;
 
     const P: [f32; 4] = [0.1, 0.5, 0.7, 0.45];

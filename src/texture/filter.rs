@@ -6,7 +6,7 @@ use super::batch::{Lanes, TexBatch, Work};
 use super::image::Texels;
 use super::near::Near;
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::batch::{LANES, Stage, stage};
+use crate::simd::{LANES, Stage, stage};
 
 /// In a stage's argument: the second pass, of two levels.
 pub const SECOND: u32 = super::address::SECOND;

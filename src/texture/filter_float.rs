@@ -6,7 +6,7 @@ use super::batch::{Lanes, TexBatch, Work};
 use super::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
 use super::image::Texels;
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::batch::{LANES, Stage, stage};
+use crate::simd::{LANES, Stage, stage};
 
 /// A texel.
 type Texel = [f32; 4];

@@ -5,9 +5,9 @@ use super::image::{Dimensions, Image, Texels};
 use super::mipmap;
 use super::pads::{Pad, PadKey};
 use super::s3tc::Fit;
-use crate::batch::Level;
 use crate::enums::*;
 use crate::pixels::{ClientImage, PixelFormat, Transfer, format};
+use crate::simd::Level;
 use crate::state::pixel::PixelStore;
 
 fn find(name: GLenum) -> &'static InternalFormat {

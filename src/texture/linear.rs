@@ -11,7 +11,7 @@ use super::filter::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lan
 use super::format::BaseFormat;
 use super::near::{Form, Range};
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::batch::{LANES, Stage, stage};
+use crate::simd::{LANES, Stage, stage};
 
 /// In a stage's argument: it wraps its coordinates, each by REPEAT ([`REPEATS`] and the next two bits) or by CLAMP and
 /// CLAMP_TO_EDGE.

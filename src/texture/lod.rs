@@ -15,8 +15,8 @@
 
 use super::batch::{Detail, Lanes, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
-use crate::batch::{LANES, Stage, stage};
 use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
+use crate::simd::{LANES, Stage, stage};
 
 /// In the argument of a level stage: the images are those of a cube map, by face and level.
 pub const CUBE: u32 = 1;

@@ -9,8 +9,8 @@
 
 use super::image::{Image, Texels, zeroed};
 use super::sums;
-use crate::batch;
 use crate::error::Outcome;
+
 use std::sync::Arc;
 
 /// Four components.
@@ -37,7 +37,12 @@ pub fn levels_below(size: [u32; 3]) -> usize {
 /// The levels below `base`, the first half its size: `count` of them, or as many as there are down to 1 x 1 x 1. `old`
 /// are the levels that they replace: what nobody else holds gives its memory, and an error loses it. `simd` is the
 /// instruction set.
-pub fn levels(base: &Image, count: usize, simd: batch::Level, old: &mut [Option<Arc<Image>>]) -> Outcome<Vec<Image>> {
+pub fn levels(
+    base: &Image,
+    count: usize,
+    simd: crate::simd::Level,
+    old: &mut [Option<Arc<Image>>],
+) -> Outcome<Vec<Image>> {
     let mut made: Vec<Image> = Vec::new();
     if base.is_null() {
         return Ok(made);
@@ -280,7 +285,7 @@ mod tests {
                 let next = reduce([*w, *h, 1], 0, |y, _, to| to.copy_from_slice(&texels[y * w..][..*w]));
                 above = next.expect("memory");
             }
-            for simd in batch::Level::available() {
+            for simd in crate::simd::Level::available() {
                 let old = levels(&noise(size, 99), 20, simd, &mut []).expect("memory");
                 let mut old: Vec<_> = old.into_iter().map(|image| Some(Arc::new(image))).collect();
                 let held = old[0].clone();

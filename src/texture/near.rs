@@ -160,8 +160,8 @@ fn pair(x: f32) -> (u32, f32) {
 mod tests {
     use super::super::address::tests::both;
     use super::*;
-    use crate::batch::LANES;
     use crate::enums::{GL_CLAMP, GL_REPEAT};
+    use crate::simd::LANES;
 
     const ANYWHERE: Range = Range { least: f32::NEG_INFINITY, limit: f32::INFINITY };
 

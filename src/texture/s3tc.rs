@@ -223,9 +223,9 @@ impl Image {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::Level;
     use crate::enums::*;
     use crate::pixels::{ClientImage, PixelFormat, Transfer};
+    use crate::simd::Level;
     use crate::state::pixel::PixelStore;
 
     fn find(name: u32) -> &'static InternalFormat {

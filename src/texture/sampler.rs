@@ -10,9 +10,9 @@ use super::object::TextureObject;
 use super::pads::PadKey;
 use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
 use super::{address, anisotropy, cube, filter, filter_float, linear, lod, shadow};
-use crate::batch::{Level, Plan, Stage, Step};
 use crate::enums::*;
 use crate::error::Outcome;
+use crate::simd::{Level, Plan, Stage, Step};
 use crate::state::texture::{Target, TexParameters};
 use std::sync::Arc;
 

@@ -3,8 +3,8 @@
 
 use super::sampler::Sampler;
 use super::test_support::*;
-use crate::batch::Level;
 use crate::enums::*;
+use crate::simd::Level;
 use crate::state::texture::Target;
 
 const WRAPS: [GLenum; 8] = [

@@ -10,9 +10,9 @@ use super::filter_float::{each_lane, neighbours};
 use super::format::BaseFormat;
 use super::image::Texels;
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::batch::{LANES, Stage, stage};
 use crate::enums::*;
 use crate::num::clamp01;
+use crate::simd::{LANES, Stage, stage};
 
 /// In a stage's argument from this bit on: how the depth is read ([`mode`]).
 const MODE_SHIFT: u32 = 8;

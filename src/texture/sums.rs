@@ -4,8 +4,8 @@
 //! row of the last of these levels: a texel is read once, and the sums of a strip stay in the nearest cache.
 
 use super::image::{Image, Texels, zeroed};
-use crate::batch::{Level, Stage, stage};
 use crate::error::Outcome;
+use crate::simd::{Level, Stage, stage};
 use std::sync::Arc;
 
 /// The most levels that sums give.

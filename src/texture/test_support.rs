@@ -6,8 +6,8 @@ use super::format::InternalFormat;
 use super::image::{Dimensions, Image, Texels};
 use super::object::TextureObject;
 use super::sampler::{Sampler, dimensions, prepare};
-use crate::batch::{LANES, Level};
 use crate::enums::*;
+use crate::simd::{LANES, Level};
 use crate::state::texture::Target;
 use std::sync::Arc;
 

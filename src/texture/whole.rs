@@ -5,7 +5,7 @@
 use super::sampler::Sampler;
 use super::uniforms::{TexFn, WrappedImage};
 use super::{filter, linear, lod};
-use crate::batch::Stage;
+use crate::simd::Stage;
 
 /// An image that is filtered linearly, by its dimensions and channels.
 #[derive(Clone, Debug)]

@@ -17,9 +17,9 @@ use super::counts::Counts;
 use super::plan::VertexPlan;
 use super::pool::Pool;
 use super::sight::{Triangles, nowhere};
-use crate::batch::LANES;
 use crate::enums::*;
 use crate::raster::vertex::{Place, twice_area};
+use crate::simd::LANES;
 
 /// Joins vertices into primitives.
 #[derive(Clone, Debug, Default)]

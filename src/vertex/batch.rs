@@ -3,9 +3,9 @@
 //! the input arrays, so a value that is the same for all vertices of a draw is filled in once.
 
 use super::sight::Triangles;
-use crate::batch::LANES;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
 use crate::raster::vertex::Place;
+use crate::simd::LANES;
 use crate::state::current::Current;
 
 /// One f32 for each lane.

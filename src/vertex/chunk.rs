@@ -12,8 +12,8 @@ use super::counts::Counts;
 use super::plan::{VertFn, VertexPlan};
 use super::pool::{PLACES, Pool};
 use super::{Assembled, Keys, Source};
-use crate::batch::{LANES, Step};
 use crate::enums::GLenum;
+use crate::simd::{LANES, Step};
 
 /// Vertices and primitives under way.
 #[derive(Clone, Debug)]

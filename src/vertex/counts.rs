@@ -1,7 +1,7 @@
 //! What a piece of a draw did with vertices and primitives. These sums are kept always: an addition for each batch and for
 //! each primitive that is dropped costs nothing that could be measured.
 
-use crate::batch::Counters;
+use crate::simd::Counters;
 
 /// Sums since counting began.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -7,10 +7,10 @@ use super::batch::{VertexBatch, needs};
 use super::chunk::{Chunk, run};
 use super::plan::{VertFn, VertexPlan};
 use super::uniforms::VertexUniforms;
-use crate::batch::{LANES, stage};
 use crate::enums::{GL_TRIANGLES, GLenum};
 use crate::fragment::planes::GROUP;
 use crate::raster::Corners;
+use crate::simd::{LANES, stage};
 
 /// Vertices of a batch that is in step.
 pub const IN_STEP: usize = 3 * GROUP;

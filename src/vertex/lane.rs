@@ -7,9 +7,9 @@ use super::cache::{IndexList, VertexCache};
 use super::chunk::Chunk;
 use super::plan::VertexPlan;
 use super::{Assembled, Keys, List, Order, Source};
-use crate::batch::LANES;
 use crate::enums::*;
 use crate::raster::{Builder, Pieces, Shader};
+use crate::simd::LANES;
 use std::ops::Range;
 
 /// Primitives that are handed on before the sink is asked whether it is full.

@@ -8,8 +8,8 @@
 use super::batch::{Lanes, VertexBatch, Wide};
 use super::plan::VertFn;
 use super::uniforms::{LightNumbers, VertexUniforms};
-use crate::batch::{LANES, stage};
 use crate::num;
+use crate::simd::{LANES, stage};
 
 /// Argument of the sums: the light's number in the low bits, then these flags.
 pub mod flag {

@@ -5,8 +5,8 @@
 use super::batch::{Lanes, VertexBatch};
 use super::plan::VertFn;
 use super::uniforms::VertexUniforms;
-use crate::batch::{LANES, stage};
 use crate::num::clamp01;
+use crate::simd::{LANES, stage};
 
 /// Argument of [`MATERIAL`].
 pub mod flag {

@@ -6,7 +6,7 @@
 use super::batch::VertexBatch;
 use super::plan::VertFn;
 use super::uniforms::VertexUniforms;
-use crate::batch::{LANES, stage};
+use crate::simd::{LANES, stage};
 use glam::DMat4;
 
 /// The matrix for normals as three columns.

@@ -4,9 +4,9 @@
 use super::lane::{Lane, SourceDraw};
 use super::plan::VertexPlan;
 use super::store::Store;
-use crate::batch::{LANES, Level};
 use crate::enums::GLenum;
 use crate::raster::{Builder, SetUp, Shader};
+use crate::simd::{LANES, Level};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A piece.

@@ -10,10 +10,10 @@ use super::lane::{Lane, WORTH_CUTTING};
 use super::piece::Pieces;
 use super::plan::{VertexPlan, Wants};
 use super::store::Store;
-use crate::batch::{LANES, Level};
 use crate::enums::{GL_QUADS, GL_TRIANGLES, GLenum};
 use crate::fragment::planes::Layout;
 use crate::raster::{SetUp, Shader};
+use crate::simd::{LANES, Level};
 use crate::state::State;
 use crate::state::current::Current;
 

@@ -4,10 +4,10 @@
 use super::VertexRef;
 use super::batch::VertexBatch;
 use super::plan::VertexPlan;
-use crate::batch::LANES;
 use crate::fragment::planes::Layout;
 use crate::limits::MAX_CLIP_PLANES;
 use crate::raster::vertex::{Place, Vertex, Vertices};
+use crate::simd::LANES;
 
 /// Vertices of a pool at most; ids are taken modulo this number.
 pub const PLACES: usize = 8192;

@@ -4,8 +4,8 @@
 use super::batch::VertexBatch;
 use super::plan::VertFn;
 use super::uniforms::VertexUniforms;
-use crate::batch::{LANES, stage};
 use crate::raster::vertex::{Place, outcode};
+use crate::simd::{LANES, stage};
 
 /// In the stage's argument, beside the outcode bits that make a triangle go through the clipper: triangles whose area in the
 /// window is positive, or is not, are culled.

@@ -5,8 +5,8 @@
 use super::batch::{Lanes, VertexBatch, needs};
 use super::cache::IndexList;
 use super::{Keys, Order, Source};
-use crate::batch::LANES;
 use crate::enums::GLenum;
+use crate::simd::LANES;
 
 /// Numbers of a position.
 const POSITION: usize = 4;

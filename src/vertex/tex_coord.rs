@@ -5,7 +5,7 @@
 use super::batch::{Lanes, VertexBatch};
 use super::plan::VertFn;
 use super::uniforms::VertexUniforms;
-use crate::batch::{LANES, stage};
+use crate::simd::{LANES, stage};
 
 /// Packs a unit and a coordinate into a stage argument.
 #[must_use]

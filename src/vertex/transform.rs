@@ -5,9 +5,9 @@
 use super::batch::VertexBatch;
 use super::plan::VertFn;
 use super::uniforms::{Columns, VertexUniforms, ViewportNumbers};
-use crate::batch::{LANES, stage};
 use crate::num;
 use crate::raster::vertex::{Place, outcode};
+use crate::simd::{LANES, stage};
 
 /// Windows positions with a greater absolute coordinate are outside the guard band.
 pub const GUARD_BAND: f64 = 32767.0;

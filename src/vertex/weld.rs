@@ -68,7 +68,7 @@ impl Welded {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::LANES;
+    use crate::simd::LANES;
     use crate::state::current::Current;
     use crate::vertex::batch::{VertexBatch, needs};
 

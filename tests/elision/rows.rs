@@ -3,9 +3,9 @@
 
 use crate::table::{Draw, ROWS, Row, Work};
 use fixedgl::Context;
-use fixedgl::batch::Counters;
 use fixedgl::context::Config;
 use fixedgl::enums::*;
+use fixedgl::simd::Counters;
 use fixedgl::teach::Explanation;
 
 /// Draws a scene; the picture, the counters and the plan.

@@ -4,9 +4,9 @@
 use crate::random::Random;
 use crate::states::{primitive, state, textures};
 use fixedgl::Context;
-use fixedgl::batch::Level;
 use fixedgl::context::Config;
 use fixedgl::enums::*;
+use fixedgl::simd::Level;
 
 /// Wide enough for whole batches of one row.
 const SIZE: [u32; 2] = [150, 24];

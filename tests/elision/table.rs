@@ -3,8 +3,8 @@
 //! hold the rows to that; the benchmark counts what each elision saves.
 
 use fixedgl::Context;
-use fixedgl::batch::Counters;
 use fixedgl::enums::*;
+use fixedgl::simd::Counters;
 use fixedgl::teach::{Explanation, Fate};
 
 /// What was done: how often some stages ran over a fragment, or some other count.

@@ -5,8 +5,8 @@
 
 use super::oracle::lod::Levels;
 use super::oracle::texel::{Image as OracleImage, Sampled, Texture};
-use fixedgl::batch::{LANES, Level};
 use fixedgl::enums::*;
+use fixedgl::simd::{LANES, Level};
 use fixedgl::state::texture::Target;
 use fixedgl::texture::batch::TexBatch;
 use fixedgl::texture::format::InternalFormat;

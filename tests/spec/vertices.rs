@@ -164,7 +164,7 @@ fn neither_level_nor_cut_changes_the_picture() {
         gl.pixels()
     };
     let want = picture(Config::default());
-    for level in fixedgl::batch::Level::available() {
+    for level in fixedgl::simd::Level::available() {
         for batch_cut in [64, 7, 1] {
             assert!(picture(Config { level, batch_cut, ..Config::default() }) == want, "{level:?}, cut {batch_cut}");
         }

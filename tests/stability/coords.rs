@@ -7,8 +7,8 @@ use crate::oracle::texel::{Image as OracleImage, Texture, nearest_index, wrapped
 use crate::row::{Worst, rows};
 use crate::support::Random;
 use fixedgl::Context;
-use fixedgl::batch::{LANES, Level};
 use fixedgl::enums::*;
+use fixedgl::simd::{LANES, Level};
 use fixedgl::state::texture::Target;
 use fixedgl::texture::batch::TexBatch;
 use fixedgl::texture::format::InternalFormat;

@@ -4,8 +4,8 @@
 #![allow(dead_code, reason = "every test binary that includes this uses another part of it")]
 
 use fixedgl::Context;
-use fixedgl::batch::Level;
 use fixedgl::context::Config;
+use fixedgl::simd::Level;
 
 /// All that drawing leaves in the framebuffer.
 #[derive(PartialEq)]

@@ -1,10 +1,10 @@
 //! Each stage against its equation, evaluated in f64 or in integers straight from the specification.
 
 use super::{FACTORS, Feed, Random, Scene, draw, flat, pixel, program};
-use crate::batch::Level;
 use crate::enums::*;
 use crate::fragment::program::{Fate, Options};
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
+use crate::simd::Level;
 use crate::state::State;
 
 /// An operation on two bytes.

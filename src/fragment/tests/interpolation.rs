@@ -6,9 +6,9 @@ use super::super::interpolate::FIRST;
 use super::super::planes::{Layout, Linear, Plane, PlanePool, Planes, UnitSlots};
 use super::super::uniforms::{FragUniforms, Work};
 use super::{Feed, Random, Scene, contents, draw, program};
-use crate::batch::Level;
 use crate::fragment::program::Options;
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
+use crate::simd::Level;
 use crate::state::State;
 
 #[test]

@@ -2,10 +2,10 @@
 
 use super::super::planes::{Linear, Plane, Planes};
 use super::{FACTORS, Feed, Random, Scene, contents, draw, program};
-use crate::batch::Level;
 use crate::enums::*;
 use crate::fragment::program::Options;
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
+use crate::simd::Level;
 use crate::state::State;
 
 const FUNCS: [GLenum; 8] = [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];

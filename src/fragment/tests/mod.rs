@@ -9,9 +9,9 @@ mod textured;
 use super::batch::{FragmentBatch, Segment};
 use super::planes::{Linear, Plane, Planes};
 use super::program::{Options, Program};
-use crate::batch::{LANES, Level};
 use crate::enums::*;
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
+use crate::simd::{LANES, Level};
 use crate::state::State;
 
 /// Every blend factor.

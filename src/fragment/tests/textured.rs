@@ -3,10 +3,10 @@
 use super::super::planes::{Layout, Linear, Plane, Planes};
 use super::super::program::Program;
 use super::{Corners, Feed, Random, Scene, contents, draw, pixel};
-use crate::batch::Level;
 use crate::enums::*;
 use crate::fragment::program::Options;
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
+use crate::simd::Level;
 use crate::state::State;
 use crate::state::texture::Target;
 use crate::texture::format::InternalFormat;

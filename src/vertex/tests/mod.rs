@@ -10,10 +10,10 @@ mod textured;
 use super::pipe::Pipe;
 use super::plan::Wants;
 use super::{Assembled, VertexRef};
-use crate::batch::Level;
 use crate::enums::GLenum;
 use crate::fragment::planes::{Layout, UnitSlots};
 use crate::raster::vertex::Vertex;
+use crate::simd::Level;
 use crate::state::State;
 use crate::state::current::Current;
 

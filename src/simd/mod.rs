@@ -70,7 +70,7 @@ impl<F: Copy> Plan<F> {
 macro_rules! stage {
     ($($(#[$meta:meta])* $vis:vis fn $name:ident: $f:ty = ($($arg:ident: $ty:ty),* $(,)?) $body:block)*) => {$(
         $(#[$meta])*
-        $vis static $name: $crate::batch::Stage<$f> = {
+        $vis static $name: $crate::simd::Stage<$f> = {
             #[inline(always)]
             fn body($($arg: $ty),*) $body
             #[cfg(not(all(target_arch = "x86_64", any(fixedgl_only_avx2, fixedgl_only_avx512))))]
@@ -87,7 +87,7 @@ macro_rules! stage {
             use {avx2 as baseline, avx2 as avx512};
             #[cfg(all(target_arch = "x86_64", fixedgl_only_avx512))]
             use {avx512 as baseline, avx512 as avx2};
-            $crate::batch::Stage { name: stringify!($name), levels: [baseline, avx2, avx512] }
+            $crate::simd::Stage { name: stringify!($name), levels: [baseline, avx2, avx512] }
         };
     )*};
 }
