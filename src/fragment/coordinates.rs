@@ -10,7 +10,7 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::detail;
-use super::interpolate::{FIRST, group, reciprocals};
+use super::interpolate::{DIVIDES, FIRST, group, reciprocals};
 use super::planes::{GROUP, Linear, Plane, PlaneGroup, Planes, UnitSlots};
 use super::segments::{
     CHUNK, Chunk, Piece, Positions, Row, Rows, linear, one_primitive, pieces, positions, put, row_origin, single_row,
@@ -340,7 +340,7 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, u: &FragUniforms, w: &Work
 
 stage! {
     /// The coordinates of one unit, and their derivatives where the sampler needs them.
-    pub(super) fn COORDINATES: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(super) fn COORDINATES: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(Some(slots)) = u.layout.units.get(unit_of(arg)) else { return };
         match slots.count {
             1 => coordinates::<1>(b, u, w, slots, arg),

@@ -10,7 +10,7 @@ use super::segments::{
 };
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::clamp_f32;
-use crate::simd::{LANES, stage};
+use crate::simd::{Cost, LANES, stage};
 use crate::texture::batch::Lanes;
 
 /// 1 / D with one Newton step in `f64`: what the planes of wide primitives are multiplied with.
@@ -214,27 +214,30 @@ macro_rules! slots {
     }};
 }
 
+/// The cost of stages that multiply with 1 / D.
+pub(super) const DIVIDES: Cost = Cost { divides: true, ..Cost::NONE };
+
 /// Bit of a stage's number: the stage is the first that needs 1 / D.
 pub(super) const FIRST: u32 = 1;
 
 stage! {
     /// The primary colour, as the fragment's colour.
-    pub(super) fn COLOR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(super) fn COLOR: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.color, arg, &mut b.tex.previous);
     }
 
     /// The primary colour for texture environments, which read it by name or as what comes before the first unit.
-    pub(super) fn PRIMARY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(super) fn PRIMARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.color, arg, &mut b.tex.primary);
     }
 
     /// The secondary colour.
-    pub(super) fn SECONDARY: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(super) fn SECONDARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.secondary, arg, &mut b.secondary);
     }
 
     /// The fog coordinate.
-    pub(super) fn FOG_COORDINATE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(super) fn FOG_COORDINATE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.fog, arg, std::array::from_mut(&mut b.fog));
     }
 }

@@ -6,7 +6,7 @@
 use super::along::{Divisor, From, Place, Terms};
 use super::batch::FragmentBatch;
 use super::buffers::{load, places, store};
-use super::interpolate::{FIRST, group, primitive, reciprocals, value, value_of_member};
+use super::interpolate::{DIVIDES, FIRST, group, primitive, reciprocals, value, value_of_member};
 use super::planes::{Linear, Plane, Planes};
 use super::segments::{CHUNK, pieces, positions, put, row_origin, single_row};
 use super::uniforms::{FragFn, FragUniforms, Work};
@@ -212,14 +212,14 @@ fn packed(color: &[Lanes; 4], or: u32, out: &mut [u32; LANES]) {
 
 stage! {
     /// The interpolated primary colour, packed: what [`COLOR`](super::interpolate::COLOR) and [`PACK`] would give.
-    pub(super) fn COLOR_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(super) fn COLOR_PACKED: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         if let Some(slot) = u.layout.color {
             color_packed(b, slot, u.packed_or, w, arg);
         }
     }
 
     /// [`COLOR_PACKED`] and [`STORE`] where nothing comes between them.
-    pub(super) fn COLOR_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(super) fn COLOR_STORE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(slot) = u.layout.color else { return };
         color_packed(b, slot, u.packed_or, w, arg);
         store(places!(b), &b.tex.mask, &b.packed, w.band.rgba8);

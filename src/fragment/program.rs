@@ -354,12 +354,12 @@ impl Program {
         let mut names = Vec::new();
         for action in &self.actions {
             match action {
-                Action::Stage(step) => names.push(step.name),
+                Action::Stage(step) => names.push(step.id.name()),
                 Action::Sample(i) => {
-                    names.extend(self.samplers.get(*i).iter().flat_map(|s| s.plan.steps.iter().map(|s| s.name)));
+                    names.extend(self.samplers.get(*i).iter().flat_map(|s| s.plan.names()));
                 }
                 Action::Environments => {
-                    names.extend(self.environments.iter().flat_map(|e| e.plan.steps.iter().map(|s| s.name)));
+                    names.extend(self.environments.iter().flat_map(|e| e.plan.names()));
                 }
                 Action::StopIfDead => {}
             }

@@ -3,16 +3,12 @@
 //! the stages that fill or skip whole runs, so that every stage can be seen.
 
 use super::batch::FragmentBatch;
-use super::coordinates::unit_of;
+use super::coordinates::{COORDINATES, unit_of};
 use super::interpolate::FIRST;
 use super::planes::Planes;
 use super::program::{Action, Program};
-use super::uniforms::Work;
-use crate::simd::{Counters, Tally};
-
-/// The stages that read 1 / D and compute it if their number has [`FIRST`].
-pub(super) const INTERPOLATING: &[&str] =
-    &["COORDINATES", "COLOR", "COLOR_PACKED", "COLOR_STORE", "PRIMARY", "SECONDARY", "FOG_COORDINATE"];
+use super::uniforms::{FragFn, Work};
+use crate::simd::{Counters, Step, Tally};
 
 /// Lanes of a batch whose fragment is alive.
 fn alive(batch: &FragmentBatch) -> u64 {
@@ -36,13 +32,12 @@ impl Program {
     }
 
     /// Divisions of a step over a batch: by w where it is the first to need it, by q where its unit has one.
-    fn divisions(&self, name: &str, arg: u32, batch: &FragmentBatch, planes: &[Planes]) -> u64 {
-        let unit = if name == "COORDINATES" { self.layout.units.get(unit_of(arg)).copied().flatten() } else { None };
+    fn divisions(&self, Step { id, arg, .. }: Step<FragFn>, batch: &FragmentBatch, planes: &[Planes]) -> u64 {
+        let unit = if id == COORDINATES.id { self.layout.units.get(unit_of(arg)).copied().flatten() } else { None };
         if unit.is_some_and(|unit| unit.has_q && !unit.cube) {
             return batch.tex.n as u64;
         }
-        let divides = INTERPOLATING.contains(&name);
-        if divides && arg & FIRST != 0 { in_perspective(batch, planes) } else { 0 }
+        if id.cost().divides && arg & FIRST != 0 { in_perspective(batch, planes) } else { 0 }
     }
 
     /// [`Program::run`] with every step counted.
@@ -57,8 +52,8 @@ impl Program {
                 let left = alive(batch);
                 match action {
                     Action::Stage(step) => {
-                        all.divisions += self.divisions(step.name, step.arg, batch, work.planes);
-                        all.add_stage(step.name, before, left);
+                        all.divisions += self.divisions(*step, batch, work.planes);
+                        all.add_stage(step.id.name(), before, left);
                     }
                     Action::Sample(i) => {
                         let Some(sampler) = self.samplers.get(*i) else { continue };
@@ -66,11 +61,11 @@ impl Program {
                         all.texels += done.texels * before;
                         all.wraps += done.wraps * before;
                         all.logarithms += done.logarithms * before + done.logarithms_once;
-                        sampler.plan.steps.iter().for_each(|step| all.add_stage(step.name, before, left));
+                        sampler.plan.names().for_each(|name| all.add_stage(name, before, left));
                     }
                     Action::Environments => {
-                        let steps = self.environments.iter().flat_map(|e| &e.plan.steps);
-                        steps.for_each(|step| all.add_stage(step.name, before, left));
+                        let names = self.environments.iter().flat_map(|e| e.plan.names());
+                        names.for_each(|name| all.add_stage(name, before, left));
                     }
                     Action::StopIfDead => {}
                 }

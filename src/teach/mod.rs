@@ -75,7 +75,7 @@ impl Context {
         decisions.extend(fragments);
         Explanation {
             decisions,
-            vertex_stages: engine.pipe.plan.plan.steps.iter().map(|step| step.name).collect(),
+            vertex_stages: engine.pipe.plan.plan.names().collect(),
             fragment_stages: program.stage_names(),
         }
     }

@@ -23,7 +23,7 @@ use super::near::{Form, Range};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::enums::*;
 use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
-use crate::simd::{LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage, stage};
 
 /// In a stage's argument: which coordinate (0 to 2).
 pub const COORDINATE: u32 = 3;
@@ -226,51 +226,51 @@ fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: 
 
 stage! {
     /// REPEAT, two texels and their weight.
-    pub fn WRAP_REPEAT_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_REPEAT_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         linear_lanes(b, u, arg, true);
     }
     /// CLAMP and CLAMP_TO_EDGE, two texels and their weight.
-    pub fn WRAP_CLAMP_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_CLAMP_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         linear_lanes(b, u, arg, false);
     }
     /// CLAMP_TO_BORDER, two texels and their weight.
-    pub fn WRAP_BORDER_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_BORDER_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_linear::<TO_BORDER>(b, u, arg, border);
     }
     /// MIRRORED_REPEAT, two texels and their weight.
-    pub fn WRAP_MIRRORED_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_MIRRORED_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_linear::<TO_EDGE>(b, u, arg, mirrored);
     }
     /// MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE, two texels and their weight.
-    pub fn WRAP_MIRROR_CLAMP_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_MIRROR_CLAMP_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_linear::<TO_EDGE>(b, u, arg, mirror_clamp);
     }
     /// MIRROR_CLAMP_TO_BORDER, two texels and their weight.
-    pub fn WRAP_MIRROR_BORDER_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_MIRROR_BORDER_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_linear::<TO_BORDER>(b, u, arg, mirror_border);
     }
     /// REPEAT, the nearest texel.
-    pub fn WRAP_REPEAT_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_REPEAT_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_nearest::<AROUND>(b, u, arg, repeat);
     }
     /// CLAMP and CLAMP_TO_EDGE, the nearest texel.
-    pub fn WRAP_CLAMP_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_CLAMP_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_nearest::<TO_EDGE>(b, u, arg, clamp);
     }
     /// CLAMP_TO_BORDER, the nearest texel.
-    pub fn WRAP_BORDER_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_BORDER_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_nearest::<TO_BORDER>(b, u, arg, border);
     }
     /// MIRRORED_REPEAT, the nearest texel.
-    pub fn WRAP_MIRRORED_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_MIRRORED_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_nearest::<TO_EDGE>(b, u, arg, mirrored);
     }
     /// MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE, the nearest texel.
-    pub fn WRAP_MIRROR_CLAMP_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_MIRROR_CLAMP_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_nearest::<TO_EDGE>(b, u, arg, mirror_clamp);
     }
     /// MIRROR_CLAMP_TO_BORDER, the nearest texel.
-    pub fn WRAP_MIRROR_BORDER_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_MIRROR_BORDER_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         wrap_nearest::<TO_BORDER>(b, u, arg, mirror_border);
     }
 }

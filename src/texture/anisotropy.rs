@@ -15,7 +15,7 @@ use super::batch::{TexBatch, Work};
 use super::lod::{lambda, span};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::num::{clamp_f32, floor_f32, max_f32, min_f32};
-use crate::simd::{LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage, stage};
 
 #[inline(always)]
 fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
@@ -55,15 +55,15 @@ fn count(b: &mut TexBatch) {
 
 stage! {
     /// Taps, axis and lambda of a 1D texture.
-    pub fn FOOTPRINT_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+    pub fn FOOTPRINT_1D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
         footprint::<1>(b, u);
     }
     /// Taps, axis and lambda of a 2D texture or a cube face.
-    pub fn FOOTPRINT_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+    pub fn FOOTPRINT_2D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
         footprint::<2>(b, u);
     }
     /// Taps, axis and lambda of a 3D texture.
-    pub fn FOOTPRINT_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+    pub fn FOOTPRINT_3D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
         footprint::<3>(b, u);
     }
     /// Lanes that read the nearest texel have one tap.

@@ -445,7 +445,7 @@ mod tests {
         let steps = |mode, base| {
             let env = Env { mode, ..Env::default() };
             let plan = EnvPlan::build(Level::Baseline, &[Some((&env, base))]);
-            plan.plan.steps.iter().map(|s| s.name).collect::<Vec<_>>()
+            plan.plan.names().collect::<Vec<_>>()
         };
         assert_eq!(steps(GL_REPLACE, Rgba), ["ENV_REPLACE"]);
         assert_eq!(steps(GL_MODULATE, Rgba), ["ENV_MODULATE"]);

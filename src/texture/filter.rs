@@ -6,7 +6,7 @@ use super::batch::{Lanes, TexBatch, Work};
 use super::image::Texels;
 use super::near::Near;
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::simd::{LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage, stage};
 
 /// In a stage's argument: the second pass, of two levels.
 pub const SECOND: u32 = super::address::SECOND;
@@ -180,37 +180,37 @@ fn sample_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &Un
 
 stage! {
     /// The nearest texel of a 1D image.
-    pub fn NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn NEAREST_1D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_nearest::<1, false>(b, u, arg);
     }
     /// The nearest texel of a 2D image.
-    pub fn NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn NEAREST_2D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_nearest::<2, false>(b, u, arg);
     }
     /// The nearest texel of a 3D image.
-    pub fn NEAREST_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn NEAREST_3D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_nearest::<3, false>(b, u, arg);
     }
     /// The nearest texel of a 1D image, packed.
-    pub fn NEAREST_1D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+    pub fn NEAREST_1D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
         nearest_texels::<1>(&mut b.packed, &b.work, u, 0);
     }
     /// The nearest texel of a 2D image, packed.
-    pub fn NEAREST_2D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+    pub fn NEAREST_2D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
         nearest_texels::<2>(&mut b.packed, &b.work, u, 0);
     }
     /// REPEAT, CLAMP or CLAMP_TO_EDGE in s and in t, and the nearest texel of a 2D image.
-    pub fn WRAP_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_NEAREST_2D: TexFn [Cost { texels: 1, wraps: 2, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_nearest::<2, true>(b, u, arg);
     }
     /// The same, packed.
-    pub fn WRAP_NEAREST_2D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn WRAP_NEAREST_2D_PACKED: TexFn [Cost { texels: 1, wraps: 2, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         let mut found = [0; LANES];
         wrap_nearest(&mut found, b, u, arg);
         b.packed = found;
     }
     /// The nearest texel of a 3D image, packed.
-    pub fn NEAREST_3D_PACKED: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+    pub fn NEAREST_3D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
         nearest_texels::<3>(&mut b.packed, &b.work, u, 0);
     }
 }

@@ -6,7 +6,7 @@ use super::batch::{Lanes, TexBatch, Work};
 use super::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
 use super::image::Texels;
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::simd::{LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage, stage};
 
 /// A texel.
 type Texel = [f32; 4];
@@ -97,27 +97,27 @@ fn sample<const DIMS: usize, const ROWS: usize>(b: &mut TexBatch, u: &UnitUnifor
 
 stage! {
     /// The nearest float texel of a 1D image.
-    pub fn NEAREST_1D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn NEAREST_1D_FLOAT: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample::<1, 1>(b, u, arg, false);
     }
     /// The nearest float texel of a 2D image.
-    pub fn NEAREST_2D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn NEAREST_2D_FLOAT: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample::<2, 2>(b, u, arg, false);
     }
     /// The nearest float texel of a 3D image.
-    pub fn NEAREST_3D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn NEAREST_3D_FLOAT: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample::<3, 4>(b, u, arg, false);
     }
     /// Two float texels of a 1D image.
-    pub fn LINEAR_1D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn LINEAR_1D_FLOAT: TexFn [Cost::texels(2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample::<1, 1>(b, u, arg, true);
     }
     /// Four float texels of a 2D image.
-    pub fn BILINEAR_2D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn BILINEAR_2D_FLOAT: TexFn [Cost::texels(4)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample::<2, 2>(b, u, arg, true);
     }
     /// Eight float texels of a 3D image.
-    pub fn TRILINEAR_3D_FLOAT: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn TRILINEAR_3D_FLOAT: TexFn [Cost::texels(8)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample::<3, 4>(b, u, arg, true);
     }
 }

@@ -11,7 +11,7 @@ use super::filter::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lan
 use super::format::BaseFormat;
 use super::near::{Form, Range};
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::simd::{LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage, stage};
 
 /// In a stage's argument: it wraps its coordinates, each by REPEAT ([`REPEATS`] and the next two bits) or by CLAMP and
 /// CLAMP_TO_EDGE.
@@ -219,43 +219,43 @@ pub fn blend<const ROWS: usize, const FORMAT: u8, const N: usize>(
 
 stage! {
     /// Two texels of a 1D image.
-    pub fn LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn LINEAR_1D: TexFn [Cost::filter(2, 1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<1, 1, RGBA>(b, u, arg);
     }
     /// Four texels of a 2D image, all channels.
-    pub fn BILINEAR_2D_RGBA: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn BILINEAR_2D_RGBA: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<2, 2, RGBA>(b, u, arg);
     }
     /// Four texels of a 2D image, three channels.
-    pub fn BILINEAR_2D_RGB: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn BILINEAR_2D_RGB: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<2, 2, RGB>(b, u, arg);
     }
     /// Four texels of a 2D image, luminance only.
-    pub fn BILINEAR_2D_LUMINANCE: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn BILINEAR_2D_LUMINANCE: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<2, 2, LUMINANCE>(b, u, arg);
     }
     /// Four texels of a 2D image, luminance and alpha.
-    pub fn BILINEAR_2D_LUMINANCE_ALPHA: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn BILINEAR_2D_LUMINANCE_ALPHA: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<2, 2, LUMINANCE_ALPHA>(b, u, arg);
     }
     /// Four texels of a 2D image, intensity only.
-    pub fn BILINEAR_2D_INTENSITY: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn BILINEAR_2D_INTENSITY: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<2, 2, INTENSITY>(b, u, arg);
     }
     /// Four texels of a 2D image, alpha only.
-    pub fn BILINEAR_2D_ALPHA: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn BILINEAR_2D_ALPHA: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<2, 2, ALPHA>(b, u, arg);
     }
     /// Eight texels of a 3D image, all channels.
-    pub fn TRILINEAR_3D_RGBA: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn TRILINEAR_3D_RGBA: TexFn [Cost::filter(8, 3)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<3, 4, RGBA>(b, u, arg);
     }
     /// Eight texels of a 3D image, three channels.
-    pub fn TRILINEAR_3D_RGB: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn TRILINEAR_3D_RGB: TexFn [Cost::filter(8, 3)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<3, 4, RGB>(b, u, arg);
     }
     /// Eight texels of a 3D image, luminance only.
-    pub fn TRILINEAR_3D_LUMINANCE: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn TRILINEAR_3D_LUMINANCE: TexFn [Cost::filter(8, 3)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         sample_linear::<3, 4, LUMINANCE>(b, u, arg);
     }
 }

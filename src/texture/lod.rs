@@ -16,7 +16,7 @@
 use super::batch::{Detail, Lanes, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
-use crate::simd::{LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage, stage};
 
 /// In the argument of a level stage: the images are those of a cube map, by face and level.
 pub const CUBE: u32 = 1;
@@ -321,15 +321,15 @@ fn set_same(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
 
 stage! {
     /// Lambda of a 1D texture.
-    pub fn LAMBDA_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn LAMBDA_1D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         lambdas::<1>(b, u, arg);
     }
     /// Lambda of a 2D texture or a cube face.
-    pub fn LAMBDA_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn LAMBDA_2D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         lambdas::<2>(b, u, arg);
     }
     /// Lambda of a 3D texture.
-    pub fn LAMBDA_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn LAMBDA_3D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         lambdas::<3>(b, u, arg);
     }
     /// A lambda that its limits make the same everywhere: the bits of the argument.

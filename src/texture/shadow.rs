@@ -12,7 +12,7 @@ use super::image::Texels;
 use super::uniforms::{MipLevel, TexFn, UnitUniforms};
 use crate::enums::*;
 use crate::num::clamp01;
-use crate::simd::{LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage, stage};
 
 /// In a stage's argument from this bit on: how the depth is read ([`mode`]).
 const MODE_SHIFT: u32 = 8;
@@ -120,35 +120,35 @@ fn read<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexB
 
 stage! {
     /// The nearest depth of a 1D image.
-    pub fn DEPTH_NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn DEPTH_NEAREST_1D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<1, false, false>(b, u, arg);
     }
     /// The nearest depth of a 2D image.
-    pub fn DEPTH_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn DEPTH_NEAREST_2D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<2, false, false>(b, u, arg);
     }
     /// Two depths of a 1D image.
-    pub fn DEPTH_LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn DEPTH_LINEAR_1D: TexFn [Cost::texels(2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<1, true, false>(b, u, arg);
     }
     /// Four depths of a 2D image.
-    pub fn DEPTH_BILINEAR_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn DEPTH_BILINEAR_2D: TexFn [Cost::texels(4)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<2, true, false>(b, u, arg);
     }
     /// The nearest depth of a 1D image, compared with r.
-    pub fn SHADOW_NEAREST_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn SHADOW_NEAREST_1D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<1, false, true>(b, u, arg);
     }
     /// The nearest depth of a 2D image, compared with r.
-    pub fn SHADOW_NEAREST_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn SHADOW_NEAREST_2D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<2, false, true>(b, u, arg);
     }
     /// Two depths of a 1D image, each compared with r.
-    pub fn SHADOW_LINEAR_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn SHADOW_LINEAR_1D: TexFn [Cost::texels(2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<1, true, true>(b, u, arg);
     }
     /// Four depths of a 2D image, each compared with r.
-    pub fn SHADOW_BILINEAR_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn SHADOW_BILINEAR_2D: TexFn [Cost::texels(4)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         read::<2, true, true>(b, u, arg);
     }
 }

@@ -35,17 +35,17 @@ impl Sampler {
     fn only<const K: usize>(&self, stage: &Stage<TexFn>, flags: u32) -> Option<WrappedImage<K>> {
         let step = match (self.plan.steps.as_slice(), &self.levels) {
             ([step], None) => step,
-            ([level, step], Some(_)) if level.name == lod::nearest_level_stage(K).name => step,
+            ([level, step], Some(_)) if level.is(lod::nearest_level_stage(K)) => step,
             // Where one level is all that is read, the second pass and the mix do nothing but bring it to 0..1.
             ([lambda, _, step, _, mix], Some(levels))
-                if levels.blends && lambda.name == lod::lambda_stage(K).name && mix.name == lod::MIX_LEVELS.name =>
+                if levels.blends && lambda.is(lod::lambda_stage(K)) && mix.is(&lod::MIX_LEVELS) =>
             {
                 step
             }
             _ => return None,
         };
         let wraps = (0..3).fold(filter::PARTIAL, |bits, c| bits | filter::REPEATS << c);
-        let this = step.name == stage.name && step.arg & !wraps == flags;
+        let this = step.is(stage) && step.arg & !wraps == flags;
         let repeats = std::array::from_fn(|c| step.arg & filter::REPEATS << c != 0);
         this.then(|| WrappedImage { levels: self.uniforms.images.clone(), repeats })
     }

@@ -68,7 +68,7 @@ struct Requirements {
 
 /// A step of a stage that is told nothing.
 fn step(stage: &Stage<VertFn>, level: Level) -> Step<VertFn> {
-    Step { name: stage.name, run: stage.levels[level as usize], arg: 0 }
+    stage.step(level, 0)
 }
 
 impl VertexPlan {

@@ -15,7 +15,7 @@ use super::planes::Layout;
 use super::program::{Action, Decision, Fate, Options, Program};
 use super::stencil::StencilOp;
 use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
-use super::{alpha, coordinates, depth, depth_rows, fill, fill_rows, stencil, tally, texel};
+use super::{alpha, coordinates, depth, depth_rows, fill, fill_rows, stencil, texel};
 use crate::enums::{GL_NONE, GL_NOOP};
 use crate::framebuffer::FramebufferFormat;
 use crate::limits::MAX_TEXTURE_UNITS;
@@ -46,7 +46,7 @@ struct Names<'a, F>(&'a [Step<F>]);
 impl<F> Display for Names<'_, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, step) in self.0.iter().enumerate() {
-            write!(f, "{}{}", if i > 0 { ", " } else { "" }, step.name.to_lowercase())?;
+            write!(f, "{}{}", if i > 0 { ", " } else { "" }, step.id.name().to_lowercase())?;
         }
         Ok(())
     }
@@ -196,10 +196,10 @@ impl Builder<'_> {
         let (mut read, mut later) = (false, None::<&mut u32>);
         for action in self.program.actions.iter_mut().rev() {
             let Action::Stage(step) = action else { continue };
-            if !tally::INTERPOLATING.contains(&step.name) {
+            if !step.id.cost().divides {
                 continue;
             }
-            if step.name == coordinates::COORDINATES.name && divides(step.arg) {
+            if step.is(&coordinates::COORDINATES) && divides(step.arg) {
                 if !read {
                     step.arg |= coordinates::ALONE;
                 }
@@ -215,8 +215,7 @@ impl Builder<'_> {
 
     /// Appends a stage.
     fn push(&mut self, stage: &Stage<FragFn>, arg: u32) {
-        let run = stage.levels[self.level as usize];
-        self.program.actions.push(Action::Stage(Step { name: stage.name, run, arg }));
+        self.program.actions.push(Action::Stage(stage.step(self.level, arg)));
     }
 
     /// Notes a decision.
@@ -331,7 +330,7 @@ impl Builder<'_> {
         self.push(&depth_rows::EARLY_DEPTH, arg);
         self.program.reads_framebuffer = true;
         if depth_rows::coarse(func) {
-            let step = |stage: &Stage<FragFn>| Step { name: stage.name, run: stage.levels[self.level as usize], arg };
+            let step = |stage: &Stage<FragFn>| stage.step(self.level, arg);
             self.program.hidden = Some(step(&depth_rows::HIDDEN));
             self.program.look = depth_write.then(|| step(&depth_rows::LOOK));
             let reason = "what lies behind whole blocks fails before any depth is read";
@@ -390,8 +389,7 @@ impl Builder<'_> {
             };
             self.fill_runs(stage, tests, 0, "only depth and one linear image: one stage does whole runs of a row");
             let arg = self.program.fill.map_or(0, |step| step.arg);
-            let step = |stage: &Stage<FragFn>| Step { name: stage.name, run: stage.levels[self.level as usize], arg };
-            self.program.fill_levels = between.map(step);
+            self.program.fill_levels = between.map(|stage| stage.step(self.level, arg));
             self.fill_rows([rows, rows_between]);
             self.program.levelled |= between.is_some();
         }
@@ -400,15 +398,13 @@ impl Builder<'_> {
     /// The stages for rows that are too short for that, which are told the same.
     fn fill_rows(&mut self, stages: [Option<&Stage<FragFn>>; 2]) {
         let arg = self.program.fill.map_or(0, |step| step.arg);
-        let step = |stage: &Stage<FragFn>| Step { name: stage.name, run: stage.levels[self.level as usize], arg };
-        self.program.rows = stages.map(|stage| stage.map(step));
+        self.program.rows = stages.map(|stage| stage.map(|stage| stage.step(self.level, arg)));
     }
 
     fn fill_runs(&mut self, stage: &Stage<FragFn>, tests: &Tests, flags: u32, reason: &str) {
         let writes = if tests.depth_write { depth::WRITE } else { 0 };
         let depth = tests.depth.map_or(0, |func| fill::DEPTH | (func as u32) << 1 | writes);
-        let run = stage.levels[self.level as usize];
-        self.program.fill = Some(Step { name: stage.name, run, arg: depth | flags });
+        self.program.fill = Some(stage.step(self.level, depth | flags));
         // Where levels are blended, they are so up to the end of a run, as a rule.
         let nearest = |levels: &Option<Levels>| levels.as_ref().is_some_and(|levels| !levels.blends);
         self.program.levelled = !self.program.light && self.program.uniforms.levels.iter().any(nearest);

@@ -130,7 +130,7 @@ impl Builder<'_> {
     /// Lets the last environment store its pixels itself, if it is the last stage; says whether it is so.
     fn env_store(&mut self) -> bool {
         match self.program.actions.last() {
-            Some(Action::Stage(step)) if step.name == texel::ENV_PACK.name => {
+            Some(Action::Stage(step)) if step.is(&texel::ENV_PACK) => {
                 let arg = step.arg;
                 self.program.actions.pop();
                 self.push(&texel::ENV_STORE, arg);

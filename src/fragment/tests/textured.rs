@@ -131,7 +131,7 @@ fn same_bytes(
             let options = Options { general, q_units: 0, ..Options::default() };
             let p = Program::build(level, state, units, format, options);
             names = p.stage_names();
-            names.extend(p.fill.iter().map(|step| step.name));
+            names.extend(p.fill.iter().map(|step| step.id.name()));
             let scene = scene(&mut Random::new(seed), &p.layout, affine, wide, flats);
             for feed in Feed::ALL {
                 let mut f = Framebuffer::new(96, 20, *format).unwrap();
