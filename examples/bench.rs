@@ -27,8 +27,8 @@ mod stage;
 #[path = "bench/timing.rs"]
 mod timing;
 
-use fixedgl::context::Config;
-use fixedgl::simd::Level;
+use fixedgl::Config;
+use fixedgl::SimdLevel;
 use scenes::{SCENES, Scene};
 use std::path::PathBuf;
 use std::process::{ExitCode, exit};
@@ -66,7 +66,7 @@ struct Options {
     task: Task,
     scenes: Vec<&'static Scene>,
     threads: usize,
-    level: Level,
+    level: SimdLevel,
     size: u32,
     seconds: f64,
 }
@@ -115,7 +115,8 @@ fn options() -> Options {
             "--counted" => options.task = Task::Counted,
             "--level" => {
                 let name = value();
-                options.level = Level::from_name(&name).unwrap_or_else(|| wrong(&format!("there is no level {name}")));
+                options.level =
+                    SimdLevel::from_name(&name).unwrap_or_else(|| wrong(&format!("there is no level {name}")));
             }
             _ => wrong(&format!("{argument} is not known")),
         }

@@ -47,7 +47,7 @@ mod truth;
 #[path = "report/words.rs"]
 mod words;
 
-use fixedgl::context::Config;
+use fixedgl::Config;
 use gl::{Library, Ours};
 use indicatif::{ProgressBar, ProgressStyle};
 use run::{Effort, Outcome};

@@ -120,7 +120,7 @@ fn camera(cx: &mut Context, model: &Obj, options: &Options) {
     let aspect = f64::from(options.size[0]) / f64::from(options.size[1]);
     let fovy = 35.0;
     let half = fovy / 2.0 * std::f64::consts::PI / 180.0;
-    let distance = radius / fixedgl::num::sin(half) / aspect.min(1.0) * 1.02;
+    let distance = radius / fixedgl::math::sin(half) / aspect.min(1.0) * 1.02;
     cx.matrix_mode(GL_PROJECTION);
     cx.load_identity();
     fixedgl::glu::perspective(

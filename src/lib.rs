@@ -29,27 +29,10 @@
 //! [`Context::check`] gives it as a `Result` with a sentence, and a callback ([`Context::set_debug_callback`]) gets the
 //! sentence with the file and line of the call. It also hears why a texture is incomplete.
 //!
-//! # The map of the house
-//! State is data; a plan is a list of stages; a batch is 64 of something. The rooms, from the top; each uses only what
-//! stands below it:
-//!
-//! | room | what it does |
-//! |---|---|
-//! | `capi` | the C ABI (feature `capi`) |
-//! | [`c`] | C's names as safe functions |
-//! | [`teach`] | explains the plan of a state, counts what was done; used by nothing |
-//! | `image_io`, `obj` | textures and pictures from image files, meshes from OBJ files (features `image`, `tobj`) |
-//! | [`glu`] | mipmaps, image scaling, projections, quadrics |
-//! | [`context`] | the table of commands, display lists, queries; the engine that ties the rest together |
-//! | [`vertex`] | batches of vertices: transformation, lighting, texture generation, clipping, assembly |
-//! | [`raster`] | setup, coverage of triangles, lines and points, the deferred scene, bands and threads |
-//! | [`fragment`] | batches of fragments: interpolation, fog, tests, blending, the store |
-//! | [`texture`] | images, completeness, addressing, level of detail, filters, environments |
-//! | [`framebuffer`] | colour, depth, stencil and accumulation buffers |
-//! | [`pixels`] | formats and types, unpack, pack, pixel transfer |
-//! | [`state`] | a struct for each group of the state tables |
-//! | [`simd`] | stages, plans, instruction sets |
-//! | [`num`], [`enums`], [`error`], [`limits`] | numbers that are the same everywhere, GL's constants, errors, limits |
+//! # What is where
+//! [`args`] has the types of arguments, [`enums`] GL's constants, [`glu`] mipmaps, projections and quadrics, [`explain`]
+//! the plan of a state and counters of what was done, [`math`] sine and cosine that are the same everywhere. With the
+//! features `image` and `tobj`, `image_io` and `obj` read textures and meshes from files.
 //!
 //! The pages of `spec-notes/` tell how each chapter of the specification is done; begin with
 //! `spec-notes/how-a-vertex-becomes-a-pixel.md`.
@@ -57,27 +40,64 @@
 pub mod c;
 #[cfg(feature = "capi")]
 pub mod capi;
-pub mod context;
+mod context;
 pub mod enums;
-pub mod error;
-pub mod fragment;
-pub mod framebuffer;
+mod error;
+pub mod explain;
+mod fragment;
+mod framebuffer;
 pub mod glu;
 #[cfg(feature = "image")]
 pub mod image_io;
-pub mod limits;
-pub mod num;
+mod limits;
+mod num;
 #[cfg(feature = "tobj")]
 pub mod obj;
-pub mod pixels;
-pub mod raster;
-pub mod simd;
-pub mod state;
-pub mod teach;
-pub mod texture;
-pub mod vertex;
+mod pixels;
+mod raster;
+mod simd;
+mod state;
+mod texture;
+mod vertex;
 
-pub use context::{Context, Error};
+pub use context::{Call, Config, Context, DebugCallback, DebugMessage, Error, NULL, TraceCallback};
+pub use error::FileError;
+pub use framebuffer::FramebufferFormat;
+pub use simd::Level as SimdLevel;
+
+pub mod args {
+    //! What the commands of [`Context`](crate::Context) take besides plain numbers: conversions that C does by itself
+    //! ([`IntoInt`], [`IntoFloat`], ...), memory that is read or written ([`InSlice`], [`OutSlice`], [`Pixels`]), and
+    //! vertex arrays and indices, which are memory or an offset into the bound buffer object ([`ArrayData`],
+    //! [`Indices`]). Programs seldom name them: arrays, slices, vectors, offsets and [`NULL`] convert by themselves.
+
+    pub use crate::context::{
+        ArrayData, ClientAddress, Element, InSlice, IndexLists, Indices, IntoBool, IntoFloat, IntoInt, IntoSize, NULL,
+        Null, OutSlice, Pixels, PixelsMut,
+    };
+}
+
+pub mod math {
+    //! Sine and cosine with the same bits on every machine. `f64::sin` of the standard library is the platform's and may
+    //! differ in the last bit; a program whose pictures must be the same bytes everywhere computes its vertices with
+    //! these.
+
+    pub use crate::num::{cos, sin, sin_cos, tan};
+}
+
+/// What tests of single rooms reach into. No part of the interface.
+#[doc(hidden)]
+pub mod internals {
+    pub use crate::context::table;
+    pub use crate::limits::MAX_TEXTURE_LOD_BIAS;
+    pub use crate::simd::{LANES, Level};
+    pub use crate::state::texture::Target;
+    pub use crate::texture::batch::TexBatch;
+    pub use crate::texture::format::InternalFormat;
+    pub use crate::texture::image::{Dimensions, Image, Texels};
+    pub use crate::texture::object::TextureObject;
+    pub use crate::texture::sampler::{Sampler, prepare};
+}
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -1,9 +1,10 @@
 //! The table of commands and the way through it: every command of GL 1.0 to 1.5 has a row, the first error sticks and
 //! is told in words with its place, a trace shows every call, and C's names work on the context of the thread.
 
+use fixedgl::Call;
 use fixedgl::Context;
-use fixedgl::context::{Call, DEBUG_SEVERITY_HIGH, DEBUG_SOURCE_API, DEBUG_TYPE_ERROR, table};
 use fixedgl::enums::*;
+use fixedgl::internals::table;
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
@@ -155,7 +156,7 @@ fn the_debug_callback_hears_every_error_with_its_place() {
     let (source, type_, id, severity, command, at, message) = &heard[1];
     assert_eq!(
         (*source, *type_, *id, *severity),
-        (DEBUG_SOURCE_API, DEBUG_TYPE_ERROR, GL_INVALID_VALUE, DEBUG_SEVERITY_HIGH)
+        (GL_DEBUG_SOURCE_API, GL_DEBUG_TYPE_ERROR, GL_INVALID_VALUE, GL_DEBUG_SEVERITY_HIGH)
     );
     assert_eq!((*command, *at), ("glLoadMatrixf", line));
     assert!(message.contains("16 values") && message.contains("15"), "{message}");

@@ -235,7 +235,7 @@ fn a_list_keeps_an_image_as_it_was_compiled() {
     cx.pixel_storei(GL_UNPACK_SKIP_PIXELS, 1);
     cx.new_list(1, GL_COMPILE);
     cx.tex_image_2d(GL_TEXTURE_2D, 0, GL_LUMINANCE, 2, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, &texels);
-    cx.tex_image_2d(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, fixedgl::context::NULL);
+    cx.tex_image_2d(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, fixedgl::NULL);
     cx.end_list();
     let mut width = 0;
     cx.get_tex_level_parameteriv(GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &mut width);

@@ -10,9 +10,9 @@ mod everywhere;
 mod scenes;
 
 use everywhere::{Frame, reference, variants};
+use fixedgl::Config;
+use fixedgl::Context;
 use fixedgl::c::{make_current, take_current};
-use fixedgl::context::Config;
-use fixedgl::{Context, context};
 use scenes::{SCENES, Scene};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -70,5 +70,5 @@ fn a_context_can_be_sent_to_another_thread() {
     let found = std::thread::spawn(move || draw(&scene, reference())).join().expect("the thread has drawn");
     assert!(found == expected);
     fn sendable<T: Send>() {}
-    sendable::<context::Context>();
+    sendable::<Context>();
 }

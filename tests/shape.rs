@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 const ROOMS: &[&[&str]] = &[
     &["capi"],
     &["c"],
-    &["teach"],
+    &["explain"],
     &["image_io", "obj"],
     &["glu"],
     &["context"],

@@ -10,8 +10,8 @@ mod table;
 
 use super::Options;
 use super::instructions::under_callgrind;
+use fixedgl::Config;
 use fixedgl::Context;
-use fixedgl::context::Config;
 use std::process::ExitCode;
 use table::{Draw, ROWS};
 

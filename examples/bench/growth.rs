@@ -6,7 +6,7 @@
 use super::Options;
 use super::stage::{Arrays, Stage, Tex, noise};
 use super::timing::timed;
-use fixedgl::context::Config;
+use fixedgl::Config;
 use fixedgl::enums::*;
 use std::fs;
 use std::process::Command;

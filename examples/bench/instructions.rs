@@ -10,7 +10,7 @@
 use super::scenes::{SCENES, Scene, Unit};
 use super::stage::Stage;
 use super::{Options, Task, timing};
-use fixedgl::simd::Level;
+use fixedgl::SimdLevel;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -65,7 +65,7 @@ pub fn draw_counted(options: &Options) {
 
 /// Counts, then prints, keeps or compares.
 pub fn run(options: &Options) -> ExitCode {
-    if !Level::available().any(|level| level == Level::Avx2) {
+    if !SimdLevel::available().any(|level| level == SimdLevel::Avx2) {
         eprintln!("this processor has no AVX2, for which instructions are counted: nothing was compared");
         return ExitCode::SUCCESS;
     }

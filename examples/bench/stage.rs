@@ -1,10 +1,10 @@
 //! What the scenes of the benchmark share: a context with its projection, textures made of noise, the quads, the ground
 //! plane and the meshes that are drawn again and again.
 
+use fixedgl::Config;
 use fixedgl::Context;
-use fixedgl::context::Config;
 use fixedgl::enums::*;
-use fixedgl::num::{cos, sin};
+use fixedgl::math::{cos, sin};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 

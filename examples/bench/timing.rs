@@ -6,7 +6,7 @@
 use super::Options;
 use super::scenes::{Scene, Unit};
 use super::stage::Stage;
-use fixedgl::context::Config;
+use fixedgl::Config;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::exit;
 use std::time::{Duration, Instant};

@@ -3,10 +3,10 @@
 //! a shared library. What GL does with pointers has rows of its own at the end of the trait.
 
 use fixedgl::Context;
-use fixedgl::context::{Config, Element};
+use fixedgl::FramebufferFormat;
+use fixedgl::SimdLevel;
 use fixedgl::enums::*;
-use fixedgl::framebuffer::FramebufferFormat;
-use fixedgl::simd::Level;
+use fixedgl::{Config, args::Element};
 
 /// Hands the table of commands without pointers to a macro.
 macro_rules! commands {
@@ -94,7 +94,7 @@ pub trait Library {
 /// This crate.
 pub struct Ours {
     /// The instruction set.
-    pub level: Level,
+    pub level: SimdLevel,
 }
 
 impl Ours {

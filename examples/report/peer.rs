@@ -6,7 +6,7 @@
 #![expect(unsafe_code, reason = "functions of a shared library are called through pointers")]
 
 use super::gl::{Gl, Library, commands};
-use fixedgl::context::Element;
+use fixedgl::args::Element;
 use fixedgl::enums::*;
 use std::ffi::{c_int, c_void};
 use std::ptr::null_mut;

@@ -1,7 +1,7 @@
 //! The solids that GLUT programs draw, with normals, made from GL calls as GLUT makes them.
 
 use fixedgl::c::*;
-use fixedgl::num::sin_cos;
+use fixedgl::math::sin_cos;
 use std::f64::consts::TAU;
 
 /// A torus around the z axis, as `glutSolidTorus`: radius of the tube, radius of the ring, and how finely both are cut.

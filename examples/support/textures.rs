@@ -1,6 +1,6 @@
 //! Textures made by code, so that the examples need no files.
 
-use fixedgl::num::sin;
+use fixedgl::math::sin;
 
 /// An RGB image, row by row from the bottom.
 pub type Image = Vec<[u8; 3]>;

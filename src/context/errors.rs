@@ -4,7 +4,7 @@
 
 use super::Context;
 use super::values::{FromState, Values};
-use crate::enums::{GL_INVALID_OPERATION, GL_INVALID_VALUE, GL_NO_ERROR, GLenum};
+use crate::enums::*;
 use crate::error::{GlError, Outcome, code_name, invalid_operation};
 use std::panic::Location;
 
@@ -32,27 +32,16 @@ impl std::fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Where a debug message comes from: always the API (`GL_DEBUG_SOURCE_API` of KHR_debug).
-pub const DEBUG_SOURCE_API: GLenum = 0x8246;
-/// The message is an error (`GL_DEBUG_TYPE_ERROR`).
-pub const DEBUG_TYPE_ERROR: GLenum = 0x824C;
-/// The message is advice (`GL_DEBUG_TYPE_OTHER`): a texture that is incomplete, and why.
-pub const DEBUG_TYPE_OTHER: GLenum = 0x8251;
-/// Severity of errors (`GL_DEBUG_SEVERITY_HIGH`).
-pub const DEBUG_SEVERITY_HIGH: GLenum = 0x9146;
-/// Severity of advice (`GL_DEBUG_SEVERITY_MEDIUM`).
-pub const DEBUG_SEVERITY_MEDIUM: GLenum = 0x9147;
-
 /// What the debug callback gets.
 #[derive(Clone, Debug)]
 pub struct DebugMessage<'a> {
-    /// [`DEBUG_SOURCE_API`].
+    /// [`GL_DEBUG_SOURCE_API`].
     pub source: GLenum,
-    /// [`DEBUG_TYPE_ERROR`] or [`DEBUG_TYPE_OTHER`].
+    /// [`GL_DEBUG_TYPE_ERROR`] or [`GL_DEBUG_TYPE_OTHER`].
     pub type_: GLenum,
     /// The error code, or 0.
     pub id: u32,
-    /// [`DEBUG_SEVERITY_HIGH`] or [`DEBUG_SEVERITY_MEDIUM`].
+    /// [`GL_DEBUG_SEVERITY_HIGH`] or [`GL_DEBUG_SEVERITY_MEDIUM`].
     pub severity: GLenum,
     /// The sentence.
     pub message: &'a str,
@@ -114,10 +103,10 @@ pub(crate) fn note<T: Default>(
     let (file, line) = (place.file(), place.line());
     if let Some(callback) = debug {
         callback(&DebugMessage {
-            source: DEBUG_SOURCE_API,
-            type_: DEBUG_TYPE_ERROR,
+            source: GL_DEBUG_SOURCE_API,
+            type_: GL_DEBUG_TYPE_ERROR,
             id: code,
-            severity: DEBUG_SEVERITY_HIGH,
+            severity: GL_DEBUG_SEVERITY_HIGH,
             message: &message,
             command: name,
             file,
@@ -182,10 +171,10 @@ impl Context {
         let place = Location::caller();
         if let Some(callback) = &mut self.debug {
             callback(&DebugMessage {
-                source: DEBUG_SOURCE_API,
-                type_: DEBUG_TYPE_OTHER,
+                source: GL_DEBUG_SOURCE_API,
+                type_: GL_DEBUG_TYPE_OTHER,
                 id: 0,
-                severity: DEBUG_SEVERITY_MEDIUM,
+                severity: GL_DEBUG_SEVERITY_MEDIUM,
                 message,
                 command: name,
                 file: place.file(),

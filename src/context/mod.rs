@@ -50,10 +50,7 @@ pub(crate) mod values;
 
 pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, IntoSize, OutSlice};
 pub use config::Config;
-pub use errors::{
-    DEBUG_SEVERITY_HIGH, DEBUG_SEVERITY_MEDIUM, DEBUG_SOURCE_API, DEBUG_TYPE_ERROR, DEBUG_TYPE_OTHER, DebugCallback,
-    DebugMessage, Error,
-};
+pub use errors::{DebugCallback, DebugMessage, Error};
 pub use pixels_arg::{ArrayData, ClientAddress, IndexLists, Indices, NULL, Null, Pixels, PixelsMut};
 pub use trace::{Call, TraceCallback};
 

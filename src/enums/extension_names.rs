@@ -453,6 +453,12 @@ super::enumerants! {
     GL_EDGE_FLAG_ARRAY_POINTER_EXT = 0x8093;
     // GL_IBM_rasterpos_clip
     GL_RASTER_POSITION_UNCLIPPED_IBM = 0x19262;
+    // GL_KHR_debug, for debug callbacks
+    GL_DEBUG_SOURCE_API = 0x8246;
+    GL_DEBUG_TYPE_ERROR = 0x824C;
+    GL_DEBUG_TYPE_OTHER = 0x8251;
+    GL_DEBUG_SEVERITY_HIGH = 0x9146;
+    GL_DEBUG_SEVERITY_MEDIUM = 0x9147;
     // GL_NV_texgen_reflection
     GL_NORMAL_MAP_NV = 0x8511;
     GL_REFLECTION_MAP_NV = 0x8512;

@@ -2,11 +2,11 @@
 //! bytes of the general plan.
 
 use crate::table::{Draw, ROWS, Row, Work};
+use fixedgl::Config;
 use fixedgl::Context;
-use fixedgl::context::Config;
 use fixedgl::enums::*;
-use fixedgl::simd::Counters;
-use fixedgl::teach::Explanation;
+use fixedgl::explain::Counters;
+use fixedgl::explain::Explanation;
 
 /// Draws a scene; the picture, the counters and the plan.
 fn run(row: &Row, draw: Draw, general_plan: bool) -> (Vec<u8>, Counters, Explanation) {

@@ -3,10 +3,10 @@
 
 use crate::random::Random;
 use crate::states::{primitive, state, textures};
+use fixedgl::Config;
 use fixedgl::Context;
-use fixedgl::context::Config;
+use fixedgl::SimdLevel;
 use fixedgl::enums::*;
-use fixedgl::simd::Level;
 
 /// Wide enough for whole batches of one row.
 const SIZE: [u32; 2] = [150, 24];
@@ -65,7 +65,7 @@ fn reset_matrices(cx: &mut Context) {
 
 #[test]
 fn the_general_plan_gives_the_same_bytes() {
-    let levels: Vec<Level> = Level::available().collect();
+    let levels: Vec<SimdLevel> = SimdLevel::available().collect();
     let shares: Vec<u64> = (0..2).collect();
     let drawn: u64 = std::thread::scope(|scope| {
         let work = |share: u64| {
@@ -80,7 +80,7 @@ fn the_general_plan_gives_the_same_bytes() {
 }
 
 /// A round of cases; returns how many drew something.
-fn cases(round: u64, levels: &[Level]) -> u64 {
+fn cases(round: u64, levels: &[SimdLevel]) -> u64 {
     let mut r = Random::new(round.wrapping_mul(31));
     let special =
         Config { level: r.of(levels), threads: r.of(&[1, 1, 2]), batch_cut: r.of(&[64, 64, 23]), ..Config::default() };
@@ -118,8 +118,8 @@ fn one_case_in_words() {
     let mut a = context(Config { general_plan: true, ..base });
     a.set_trace_callback(Some(Box::new(|call| println!("{call:?}"))));
     let expected = draw(&mut a, Random::new(case));
-    let ways =
-        Level::available().flat_map(|level| [true, false].map(|general_plan| Config { level, general_plan, ..base }));
+    let ways = SimdLevel::available()
+        .flat_map(|level| [true, false].map(|general_plan| Config { level, general_plan, ..base }));
     for config in ways.chain([Config { threads: 2, ..base }, Config { batch_cut: 23, ..base }]) {
         let found = draw(&mut context(config), Random::new(case));
         let word = if found == expected { "equal" } else { "differs" };

@@ -4,8 +4,8 @@
 
 use fixedgl::Context;
 use fixedgl::enums::*;
-use fixedgl::simd::Counters;
-use fixedgl::teach::{Explanation, Fate};
+use fixedgl::explain::Counters;
+use fixedgl::explain::{Explanation, Fate};
 
 /// What was done: how often some stages ran over a fragment, or some other count.
 pub struct Work<'a> {

@@ -3,7 +3,7 @@
 
 use crate::support::{Random, pixels};
 use fixedgl::Context;
-use fixedgl::context::NULL;
+use fixedgl::NULL;
 use fixedgl::enums::*;
 
 const ENUMS: &[GLenum] = &[

@@ -2,8 +2,8 @@
 //! and put back, fits to the limits, codes, the C-named door.
 
 use fixedgl::Context;
+use fixedgl::DebugMessage;
 use fixedgl::c::*;
-use fixedgl::context::DebugMessage;
 use fixedgl::glu::{self, Levels};
 use std::sync::{Arc, Mutex};
 

@@ -3,7 +3,7 @@
 
 use crate::support::{Random, get_i, no_error, pixels, raises};
 use fixedgl::Context;
-use fixedgl::context::NULL;
+use fixedgl::NULL;
 use fixedgl::enums::*;
 
 const T: GLenum = GL_TEXTURE_2D;

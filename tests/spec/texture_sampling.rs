@@ -6,13 +6,9 @@
 use super::oracle::lod::Levels;
 use super::oracle::texel::{Image as OracleImage, Sampled, Texture};
 use fixedgl::enums::*;
-use fixedgl::simd::{LANES, Level};
-use fixedgl::state::texture::Target;
-use fixedgl::texture::batch::TexBatch;
-use fixedgl::texture::format::InternalFormat;
-use fixedgl::texture::image::{Dimensions, Image, Texels};
-use fixedgl::texture::object::TextureObject;
-use fixedgl::texture::sampler::{Sampler, prepare};
+use fixedgl::internals::{
+    Dimensions, Image, InternalFormat, LANES, Level, Sampler, Target, TexBatch, Texels, TextureObject, prepare,
+};
 use std::sync::Arc;
 
 /// A small generator of random numbers: what it gives is the same everywhere.
@@ -154,7 +150,7 @@ fn texture(random: &mut Random, target: Target, depth: bool) -> Pair {
     (l.min_filter, l.mag_filter) = (p.min_filter, p.mag_filter);
     (l.min_lod, l.max_lod) = (f64::from(p.min_lod), f64::from(p.max_lod));
     (l.object_bias, l.unit_bias) = (f64::from(p.lod_bias), f64::from(unit_bias));
-    l.max_bias = f64::from(fixedgl::limits::MAX_TEXTURE_LOD_BIAS);
+    l.max_bias = f64::from(fixedgl::internals::MAX_TEXTURE_LOD_BIAS);
     (l.base_level, l.max_level) = (p.base_level as u32, p.max_level as u32);
     l.anisotropy = f64::from(p.max_anisotropy);
     prepare(&mut object).unwrap();

@@ -2,7 +2,7 @@
 //! bytes as Begin/End; what is wrong must be an error that changes nothing.
 
 use fixedgl::Context;
-use fixedgl::context::NULL;
+use fixedgl::NULL;
 use fixedgl::enums::*;
 
 const SIZE: u32 = 32;

@@ -1,8 +1,8 @@
 //! Begin and End (spec-notes/vertices.md): what is allowed, what a change between vertices does, and that small primitives
 //! and large ones are the same to the picture.
 
+use fixedgl::Config;
 use fixedgl::Context;
-use fixedgl::context::Config;
 use fixedgl::enums::*;
 
 fn context() -> Context {
@@ -164,7 +164,7 @@ fn neither_level_nor_cut_changes_the_picture() {
         gl.pixels()
     };
     let want = picture(Config::default());
-    for level in fixedgl::simd::Level::available() {
+    for level in fixedgl::SimdLevel::available() {
         for batch_cut in [64, 7, 1] {
             assert!(picture(Config { level, batch_cut, ..Config::default() }) == want, "{level:?}, cut {batch_cut}");
         }

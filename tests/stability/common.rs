@@ -6,10 +6,10 @@ use crate::oracle::scene::Scene;
 use crate::row::Worst;
 use crate::support::bridge::{self, as_given};
 use crate::support::{Random, no_error};
+use fixedgl::Config;
 use fixedgl::Context;
-use fixedgl::context::Config;
+use fixedgl::FramebufferFormat;
 use fixedgl::enums::*;
-use fixedgl::framebuffer::FramebufferFormat;
 
 /// A colour as the framebuffer has it.
 pub type Color = [f32; 4];

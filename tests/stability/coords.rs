@@ -8,13 +8,9 @@ use crate::row::{Worst, rows};
 use crate::support::Random;
 use fixedgl::Context;
 use fixedgl::enums::*;
-use fixedgl::simd::{LANES, Level};
-use fixedgl::state::texture::Target;
-use fixedgl::texture::batch::TexBatch;
-use fixedgl::texture::format::InternalFormat;
-use fixedgl::texture::image::{Dimensions, Image, Texels};
-use fixedgl::texture::object::TextureObject;
-use fixedgl::texture::sampler::{Sampler, prepare};
+use fixedgl::internals::{
+    Dimensions, Image, InternalFormat, LANES, Level, Sampler, Target, TexBatch, Texels, TextureObject, prepare,
+};
 use std::sync::Arc;
 
 rows! {

@@ -3,9 +3,9 @@
 
 #![allow(dead_code, reason = "every test binary that includes this uses another part of it")]
 
+use fixedgl::Config;
 use fixedgl::Context;
-use fixedgl::context::Config;
-use fixedgl::simd::Level;
+use fixedgl::SimdLevel;
 
 /// All that drawing leaves in the framebuffer.
 #[derive(PartialEq)]
@@ -36,10 +36,10 @@ pub fn reference() -> Config {
 /// All other ways.
 pub fn variants() -> Vec<Config> {
     let base = reference();
-    let mut all: Vec<Config> = Level::available().map(|level| Config { level, ..base }).collect();
+    let mut all: Vec<Config> = SimdLevel::available().map(|level| Config { level, ..base }).collect();
     all.extend([2, 7].map(|threads| Config { threads, ..base }));
     all.extend([17, 1].map(|batch_cut| Config { batch_cut, ..base }));
     all.push(Config { general_plan: true, ..base });
-    all.push(Config { level: Level::Baseline, threads: 7, batch_cut: 17, general_plan: true, ..base });
+    all.push(Config { level: SimdLevel::Baseline, threads: 7, batch_cut: 17, general_plan: true, ..base });
     all
 }

@@ -18,7 +18,8 @@ mod vertices;
 
 use crate::context::Context;
 pub use crate::fragment::program::{Decision, Fate};
-use crate::simd::{Counters, Tally};
+use crate::simd::Tally;
+pub use crate::simd::{Counters, StageCount};
 use std::fmt;
 
 /// What becomes of every stage in the present state.
