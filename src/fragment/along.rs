@@ -8,7 +8,7 @@ use super::planes::{Linear, Plane};
 use super::segments::IOTA;
 use super::wide::{rest, without_periods};
 use crate::num::{clamp_f32, max_f32};
-use crate::texture::near::Range;
+use crate::texture::wrap::bounded::Range;
 
 /// What rounding leaves of sums, products and quotients of this many parts in `f64`, generously (1 / D has 2^-45).
 const LOST: f64 = 1.0 / (1u64 << 40) as f64;

@@ -20,7 +20,7 @@ use super::planes::Planes;
 use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
-use crate::texture::linear::{RGB, RGBA};
+use crate::texture::filter::linear_rgba8::{RGB, RGBA};
 
 /// Bits of [`FILL`]'s number above those of the depth test: depth is tested, colour is written.
 pub(super) const DEPTH: u32 = 1 << 4;

@@ -9,8 +9,8 @@ use super::fill::{Part, Parts, Source};
 use super::fill_linear::{Environment, Level, Shown, divided};
 use super::mixing::Mixing;
 use super::uniforms::{FragUniforms, Work};
+use crate::texture::filter::linear_rgba8::RGB;
 use crate::texture::filter::{INV_255, lerp};
-use crate::texture::linear::RGB;
 use crate::texture::uniforms::WrappedImage;
 
 /// Between two levels of a 2D image.

@@ -15,10 +15,10 @@ use super::planes::{Plane, Planes};
 use super::texel::Step;
 use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
-use crate::texture::linear::{self, CHUNK, Indices, Pairs, RGB};
-use crate::texture::near;
+use crate::texture::filter::linear_rgba8::{self, CHUNK, Indices, Pairs, RGB};
 use crate::texture::uniforms::{MipLevel, WrappedImage};
 use crate::texture::whole::Filtered;
+use crate::texture::wrap::bounded;
 
 /// What a program does that filters one image: which, of which unit, and what the environment does with colour and alpha.
 #[derive(Clone, Debug)]
@@ -59,7 +59,7 @@ pub(super) struct Environment {
 
 /// An image that is filtered along a row.
 pub(super) struct Level<'a, const K: usize> {
-    wraps: [near::Form; K],
+    wraps: [bounded::Form; K],
     level: &'a MipLevel,
 }
 
@@ -68,10 +68,10 @@ impl<'a, const K: usize> Level<'a, K> {
     #[inline(always)]
     pub(super) fn new(image: &'a WrappedImage<K>, level: u32, unit: &Unit<'_, K>) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
-        let mut wraps = [near::Form::Limited; K];
+        let mut wraps = [bounded::Form::Limited; K];
         for k in 0..K {
             let n = level.size[k];
-            wraps[k] = near::Form::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
+            wraps[k] = bounded::Form::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
         }
         Some(Self { wraps, level })
     }
@@ -93,10 +93,10 @@ impl<'a, const K: usize> Level<'a, K> {
             });
         }
         let mut rows = [Pairs::<N>::NONE; ROWS];
-        linear::fetch_at(&mut rows, self.level, &at.0);
+        linear_rgba8::fetch_at(&mut rows, self.level, &at.0);
         for start in (0..N).step_by(CHUNK) {
             let [s, t, r] = &weights;
-            let chunk = linear::blend::<ROWS, FORMAT, N>(&rows, [s, t, r], start, k);
+            let chunk = linear_rgba8::blend::<ROWS, FORMAT, N>(&rows, [s, t, r], start, k);
             for c in 0..4 {
                 if let Some(to) = texels[c].get_mut(start..).and_then(|to| to.first_chunk_mut()) {
                     *to = chunk[c];

@@ -20,7 +20,7 @@ use super::planes::Planes;
 use super::segments::row_origin;
 use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{BITS, LANES, stage};
-use crate::texture::linear::{RGB, RGBA};
+use crate::texture::filter::linear_rgba8::{RGB, RGBA};
 
 /// Pixels whose depth is tested at a time.
 const STEP: usize = 16;

@@ -10,8 +10,8 @@ use super::detail::Reads;
 use super::fill::{Part, Parts, Source};
 use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::{self, neighbours};
-use crate::texture::near::Near;
 use crate::texture::uniforms::WrappedImage;
+use crate::texture::wrap::bounded::Near;
 
 /// The images that a program copies texels from, and the unit whose coordinates say which.
 #[derive(Clone, Debug)]

@@ -12,7 +12,7 @@ use super::fill_linear::{Environment, Level, Shown, divided, primary};
 use super::mixing::Mixing;
 use super::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
-use crate::texture::linear::RGB;
+use crate::texture::filter::linear_rgba8::RGB;
 use crate::texture::uniforms::WrappedImage;
 
 /// The image by whose texels the colour is multiplied last, and its unit.

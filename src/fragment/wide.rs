@@ -10,7 +10,7 @@ use super::segments::{CHUNK, Chunk, Piece, Positions, linear64, put};
 use crate::num::{max_f32, round_f64};
 use crate::simd::LANES;
 use crate::texture::batch::{Detail, Lanes, TexBatch};
-use crate::texture::near::Range;
+use crate::texture::wrap::bounded::Range;
 
 /// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! A band: some rows of the framebuffer, all buffers alike, lent to one worker. Bands of one framebuffer do not overlap,
 //! so workers need no locks, and because a pixel lies in one band only, the number of workers changes no result.
 
-use super::coarse::{self, Coarse};
+use super::hier_z::{self, Coarse};
 use super::{Filling, Framebuffer};
 use std::mem::take;
 
@@ -71,7 +71,7 @@ impl Framebuffer {
         let (width, stride, flipped, rows) = (self.width, self.stride, self.flipped, self.height);
         let (rgba8, float) = self.color.slices_mut();
         let (depth, stencil) = (&mut self.depth[..], &mut self.stencil[..]);
-        let coarse = Coarse { limits: &mut self.coarse, columns: coarse::columns(width), forgotten: false };
+        let coarse = Coarse { limits: &mut self.coarse, columns: hier_z::columns(width), forgotten: false };
         let mut band =
             Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, coarse, stencil, waiting, samples: 0 };
         band.settle();
@@ -86,7 +86,7 @@ impl Framebuffer {
         let (width, stride, flipped, height) = (self.width, self.stride, self.flipped, self.height);
         let (mut rgba8, mut float) = self.color.slices_mut();
         let (mut depth, mut stencil) = (&mut self.depth[..], &mut self.stencil[..]);
-        let (mut limits, columns) = (&mut self.coarse[..], coarse::columns(width));
+        let (mut limits, columns) = (&mut self.coarse[..], hier_z::columns(width));
         let count = height.div_ceil(rows);
         let mut bands = Vec::with_capacity(count as usize);
         for i in 0..count {

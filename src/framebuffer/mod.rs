@@ -5,18 +5,18 @@
 mod accum;
 mod band;
 mod clear;
-mod client;
-mod coarse;
-mod filling;
+mod deferred_clear;
+mod hier_z;
 mod rows;
+mod user_memory;
 
 pub use accum::AccumOp;
 pub use band::Band;
 pub(crate) use clear::packed_mask;
 pub use clear::{Clear, Rect};
-pub use client::ClientMemory;
-pub use coarse::{BLOCK, Coarse};
-pub use filling::Filling;
+pub use deferred_clear::Filling;
+pub use hier_z::{BLOCK, Coarse};
+pub use user_memory::ClientMemory;
 
 use crate::error::{Outcome, invalid_value, out_of_memory};
 use crate::limits::MAX_VIEWPORT_DIM;
@@ -195,7 +195,7 @@ impl Framebuffer {
         len: usize,
     ) -> Outcome<Self> {
         let depth = filled(if format.depth_bits == 0 { 0 } else { len }, format.depth_max(), "depth")?;
-        let blocks = if format.depth_bits == 0 { 0 } else { coarse::columns(width) * height as usize };
+        let blocks = if format.depth_bits == 0 { 0 } else { hier_z::columns(width) * height as usize };
         let coarse = filled(blocks, format.depth_max(), "coarse depth")?;
         let stencil = filled(if format.stencil_bits == 0 { 0 } else { len }, 0, "stencil")?;
         Ok(Self {

@@ -147,7 +147,7 @@ mod tests {
     use crate::enums::*;
     use crate::state::texture::Target;
     use crate::texture::object::TextureObject;
-    use crate::texture::test_support::*;
+    use crate::texture::tests::support::*;
 
     /// Level l is grey of 10 + 30 l.
     fn levels(aniso: f32) -> TextureObject {

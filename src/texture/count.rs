@@ -2,12 +2,13 @@
 //! what one run of it costs a lane.
 
 use super::batch::{Detail, TexBatch};
+use super::filter::linear_rgba8::WRAPS;
 use super::filter::{REPEATS, SECOND};
-use super::linear::WRAPS;
-use super::near::{Form, Range};
+use super::lod;
 use super::sampler::Sampler;
 use super::uniforms::TexFn;
-use super::{address, lod};
+use super::wrap::bounded::{Form, Range};
+use super::wrap::general;
 use crate::simd::Step;
 
 /// What a sampler did, for each lane if nothing else is said.
@@ -58,9 +59,9 @@ impl Sampler {
             u64::from(form.is_none_or(Form::wraps))
         };
         let cost = step.id.cost();
-        let repeats = step.is(&address::WRAP_REPEAT_LINEAR);
-        if (repeats || step.is(&address::WRAP_CLAMP_LINEAR)) && step.arg & address::PLAIN == 0 {
-            return wrapped((step.arg & address::COORDINATE).min(2), repeats);
+        let repeats = step.is(&general::WRAP_REPEAT_LINEAR);
+        if (repeats || step.is(&general::WRAP_CLAMP_LINEAR)) && step.arg & general::PLAIN == 0 {
+            return wrapped((step.arg & general::COORDINATE).min(2), repeats);
         }
         let itself = if step.arg & WRAPS == 0 { 0 } else { cost.may_wrap };
         u64::from(cost.wraps) + (0..itself).map(|c| wrapped(c, step.arg & REPEATS << c != 0)).sum::<u64>()

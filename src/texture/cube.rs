@@ -82,7 +82,7 @@ mod tests {
     use crate::enums::*;
     use crate::state::texture::Target;
     use crate::texture::object::TextureObject;
-    use crate::texture::test_support::*;
+    use crate::texture::tests::support::*;
 
     /// Face f has texels 40 f + 4 j + i, four by four.
     fn faces() -> TextureObject {

@@ -5,7 +5,7 @@
 //! reads texels i and i + 1 for every i in -1..N without a thought of wrapping.
 
 use super::format::{BaseFormat, InternalFormat, Storage};
-use super::pads::PadKey;
+use super::padding::PadKey;
 use super::s3tc::Fit;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};

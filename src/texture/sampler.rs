@@ -3,13 +3,15 @@
 //! of detail where the level cannot differ, no filter for channels that the format does not have.
 
 use super::batch::TexBatch;
+use super::filter::{self, depth, float, linear_rgba8, nearest_rgba8};
 use super::format::{BaseFormat, Storage};
 use super::image::Image;
 use super::lod::Levels;
 use super::object::TextureObject;
-use super::pads::PadKey;
+use super::padding::PadKey;
 use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
-use super::{address, anisotropy, cube, filter, filter_float, linear, lod, shadow};
+use super::wrap::general;
+use super::{anisotropy, cube, lod};
 use crate::enums::*;
 use crate::error::Outcome;
 use crate::simd::{Level, Plan, Stage, Step};
@@ -164,7 +166,7 @@ impl Sampler {
         let compare = depth && p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
         let cube = object.target == Target::Cube;
         let derivatives = matches!(lod, Lod::Varies { .. });
-        let base = if depth { shadow::base_format(p.depth_mode) } else { format };
+        let base = if depth { depth::base_format(p.depth_mode) } else { format };
 
         let has_alpha = matches!(base, BaseFormat::Rgba | BaseFormat::LuminanceAlpha);
         let opaque = has_alpha && !general && uniforms.images.iter().all(|image| image.image.is_opaque());
@@ -239,7 +241,7 @@ impl Sampler {
             coordinates: if cube || compare { 3 } else { dims },
             derivatives,
             cube,
-            period: std::array::from_fn(|c| if c < dims && !cube { address::period(p.wrap[c]) } else { 0 }),
+            period: std::array::from_fn(|c| if c < dims && !cube { general::period(p.wrap[c]) } else { 0 }),
             size: std::array::from_fn(|c| match (cube, uniforms.unnormalised) {
                 (true, _) => size[0] as u32,
                 (_, false) if c < dims => size[c] as u32,
@@ -265,8 +267,8 @@ impl Sampler {
         let Some((dims, near)) = self.nearest else { return false };
         self.plan.steps.pop();
         match near {
-            Some(repeats) => self.plan.push(&filter::WRAP_NEAREST_2D_PACKED, repeats),
-            None => self.plan.push(filter::nearest_packed(dims), 0),
+            Some(repeats) => self.plan.push(&nearest_rgba8::WRAP_NEAREST_2D_PACKED, repeats),
+            None => self.plan.push(nearest_rgba8::nearest_packed(dims), 0),
         }
         true
     }
@@ -329,34 +331,34 @@ impl Builder {
     fn pass(&mut self, linear: bool, mixed: bool, flags: u32) {
         let linear = linear || mixed;
         if let Some(repeats) = self.near().filter(|_| !linear) {
-            return self.push(&filter::WRAP_NEAREST_2D, flags | repeats);
+            return self.push(&nearest_rgba8::WRAP_NEAREST_2D, flags | repeats);
         }
         let packed = self.storage == Some(Storage::Rgba8);
         if let Some(repeats) = self.near_linear().filter(|_| linear && !mixed && packed) {
             self.wraps_itself = true;
-            return self.push(linear::stage(self.dims, self.format), flags | linear::WRAPS | repeats);
+            return self.push(linear_rgba8::stage(self.dims, self.format), flags | linear_rgba8::WRAPS | repeats);
         }
         for c in 0..self.dims {
-            let (two, one) = address::stages(self.wraps[c]);
-            let arg = c as u32 | flags & address::SECOND | if self.general { address::PLAIN } else { 0 };
+            let (two, one) = general::stages(self.wraps[c]);
+            let arg = c as u32 | flags & general::SECOND | if self.general { general::PLAIN } else { 0 };
             self.push(if linear { two } else { one }, arg);
             if mixed {
-                self.push(one, arg | address::MERGE);
+                self.push(one, arg | general::MERGE);
             }
         }
         let stage = match self.storage {
-            Some(Storage::Float) => filter_float::stage(self.dims, linear),
-            Some(Storage::Depth) => shadow::stage(self.dims, linear, self.compare),
-            _ if linear => linear::stage(self.dims, self.format),
-            _ => filter::nearest(self.dims),
+            Some(Storage::Float) => float::stage(self.dims, linear),
+            Some(Storage::Depth) => depth::stage(self.dims, linear, self.compare),
+            _ if linear => linear_rgba8::stage(self.dims, self.format),
+            _ => nearest_rgba8::nearest(self.dims),
         };
-        self.push(stage, flags | shadow::mode(self.base));
+        self.push(stage, flags | depth::mode(self.base));
     }
 
     /// Whether the nearest texel is found in one step, wrapping included; then which coordinates repeat, as
     /// [`filter::REPEATS`] has it.
     fn near(&self) -> Option<u32> {
-        let [Some(s), Some(t), _] = self.wraps.map(address::near) else { return None };
+        let [Some(s), Some(t), _] = self.wraps.map(general::near) else { return None };
         let known = self.dims == 2 && self.storage == Some(Storage::Rgba8) && !self.unnormalised && !self.general;
         known.then_some((u32::from(s) | u32::from(t) << 1) * filter::REPEATS)
     }
@@ -365,7 +367,7 @@ impl Builder {
     fn near_linear(&self) -> Option<u32> {
         let wraps = self.wraps.iter().take(self.dims).enumerate();
         let known = !self.unnormalised && !self.general;
-        let repeats = |(c, wrap): (usize, &GLenum)| Some(u32::from(address::near(*wrap)?) << c);
+        let repeats = |(c, wrap): (usize, &GLenum)| Some(u32::from(general::near(*wrap)?) << c);
         wraps.map(repeats).try_fold(0, |all, one| Some(all | one?)).filter(|_| known).map(|all| all * filter::REPEATS)
     }
 

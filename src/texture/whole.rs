@@ -2,9 +2,10 @@
 //! comes to one fetch or one linear filter of one image. The list itself tells, so that what is true of it is asked in one
 //! place.
 
+use super::filter::{self, linear_rgba8, nearest_rgba8};
+use super::lod;
 use super::sampler::Sampler;
 use super::uniforms::{TexFn, WrappedImage};
-use super::{filter, linear, lod};
 use crate::simd::Stage;
 
 /// An image that is filtered linearly, by its dimensions and channels.
@@ -51,22 +52,22 @@ impl Sampler {
     }
 
     /// The images and their wraps, if the sampler does nothing but give its nearest texels, packed, by a wrap that
-    /// [`Near`](super::near::Near) knows.
+    /// [`Near`](super::wrap::bounded::Near) knows.
     #[must_use]
     pub fn copies(&self) -> Option<WrappedImage<2>> {
-        self.only(&filter::WRAP_NEAREST_2D_PACKED, 0)
+        self.only(&nearest_rgba8::WRAP_NEAREST_2D_PACKED, 0)
     }
 
     /// The images and their wraps, if the sampler does nothing but filter one of them linearly, by wraps that
-    /// [`Form`](super::near::Form) knows.
+    /// [`Form`](super::wrap::bounded::Form) knows.
     #[must_use]
     pub fn filters(&self) -> Option<Filtered> {
-        if let Some(image) = self.only(&linear::BILINEAR_2D_RGB, linear::WRAPS) {
+        if let Some(image) = self.only(&linear_rgba8::BILINEAR_2D_RGB, linear_rgba8::WRAPS) {
             return Some(Filtered::Rgb(image));
         }
-        if let Some(image) = self.only(&linear::BILINEAR_2D_RGBA, linear::WRAPS) {
+        if let Some(image) = self.only(&linear_rgba8::BILINEAR_2D_RGBA, linear_rgba8::WRAPS) {
             return Some(Filtered::Rgba(image));
         }
-        self.only(&linear::TRILINEAR_3D_RGB, linear::WRAPS).map(Filtered::Rgb3d)
+        self.only(&linear_rgba8::TRILINEAR_3D_RGB, linear_rgba8::WRAPS).map(Filtered::Rgb3d)
     }
 }

@@ -10,8 +10,8 @@ use crate::enums::{GL_EXP2, GL_LINEAR, GL_SEPARATE_SPECULAR_COLOR, Named};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::simd::Stage;
-use crate::texture::combine::Source;
 use crate::texture::env::combine;
+use crate::texture::env::combine::Source;
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
 

@@ -11,7 +11,7 @@ use super::super::{coordinates, interpolate, texel};
 use super::{Builder, Names};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::texture::Env;
-use crate::texture::combine::{Function, Half, Operand, Source};
+use crate::texture::env::combine::{Function, Half, Operand, Source};
 use crate::texture::env::{EnvPlan, combine};
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;

@@ -7,10 +7,10 @@
 //! A chain of levels is computed in floats from its base and each level is rounded once, on its way into its image, so
 //! the rounding of one level never reaches the next.
 
-use super::image::{Image, Texels, zeroed};
-use super::sums;
-use crate::error::Outcome;
+mod rgba8;
 
+use super::image::{Image, Texels, zeroed};
+use crate::error::Outcome;
 use std::sync::Arc;
 
 /// Four components.
@@ -49,7 +49,7 @@ pub fn levels(
     }
     let border = base.border as usize;
     let count = count.min(levels_below([base.width, base.height, base.depth]));
-    let means = sums::levels(base, count, simd, old, &mut made)?;
+    let means = rgba8::levels(base, count, simd, old, &mut made)?;
     let halved = |n: u32| (n >> made.len()) as usize;
     let mut above = means.map(|texels| Level { size: [halved(base.width), halved(base.height), 1], texels });
     for n in made.len()..count {

@@ -3,9 +3,9 @@
 //! come out of additions alone, exactly what floats would give. The image is walked in strips of as many rows as make one
 //! row of the last of these levels: a texel is read once, and the sums of a strip stay in the nearest cache.
 
-use super::image::{Image, Texels, zeroed};
 use crate::error::Outcome;
 use crate::simd::{Level, Stage, stage};
+use crate::texture::image::{Image, Texels, zeroed};
 use std::sync::Arc;
 
 /// The most levels that sums give.

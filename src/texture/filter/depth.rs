@@ -4,15 +4,15 @@
 //! as a texel, and away from edges the result is exactly 0 or 1. (Section 3.8.14 leaves open how a filter and a comparison
 //! go together.) r is limited to 0..1 first, as the depths are. The third coordinate is r for 1D and 2D textures alike.
 
-use super::batch::{Lanes, TexBatch};
-use super::filter::{SECOND, destination, lerp};
-use super::filter_float::{each_lane, neighbours};
-use super::format::BaseFormat;
-use super::image::Texels;
-use super::uniforms::{MipLevel, TexFn, UnitUniforms};
+use super::float::{each_lane, neighbours};
 use crate::enums::*;
 use crate::num::clamp01;
 use crate::simd::{Cost, LANES, Stage, stage};
+use crate::texture::batch::{Lanes, TexBatch};
+use crate::texture::filter::{SECOND, destination, lerp};
+use crate::texture::format::BaseFormat;
+use crate::texture::image::Texels;
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
 
 /// In a stage's argument from this bit on: how the depth is read ([`mode`]).
 const MODE_SHIFT: u32 = 8;
@@ -173,7 +173,7 @@ mod tests {
     use crate::enums::*;
     use crate::state::texture::Target;
     use crate::texture::object::TextureObject;
-    use crate::texture::test_support::*;
+    use crate::texture::tests::support::*;
 
     /// Depths 0, 1/4, 1/2, 3/4 by column.
     fn depths(mode: GLenum, filter: GLenum) -> TextureObject {

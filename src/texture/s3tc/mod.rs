@@ -3,12 +3,13 @@
 //! decoded when they are given and the blocks are kept beside the texels. Texels that arrive uncompressed are encoded,
 //! so that what is sampled is always what the blocks say.
 
+mod encode;
+
 use super::format::{BaseFormat, InternalFormat, S3tc};
 use super::image::{Dimensions, Image, Texels, zeroed};
-use super::s3tc_encode::encode;
-
-pub use super::s3tc_encode::Fit;
 use crate::error::{Outcome, invalid_operation, invalid_value};
+pub use encode::Fit;
+use encode::encode;
 
 impl S3tc {
     /// Bytes of a block.

@@ -1,14 +1,14 @@
 //! Images of every internal format and border: what goes in, what a sampler reads, what comes out, the ring, levels.
 
-use super::format::{BaseFormat, FORMATS, InternalFormat, Storage};
-use super::image::{Dimensions, Image, Texels};
-use super::mipmap;
-use super::pads::{Pad, PadKey};
-use super::s3tc::Fit;
 use crate::enums::*;
 use crate::pixels::{ClientImage, PixelFormat, Transfer, format};
 use crate::simd::Level;
 use crate::state::pixel::PixelStore;
+use crate::texture::format::{BaseFormat, FORMATS, InternalFormat, Storage};
+use crate::texture::image::{Dimensions, Image, Texels};
+use crate::texture::mipmap;
+use crate::texture::padding::{Pad, PadKey};
+use crate::texture::s3tc::Fit;
 
 fn find(name: GLenum) -> &'static InternalFormat {
     InternalFormat::find(name).unwrap()

@@ -1,96 +1,12 @@
-//! NEAREST of 8-bit texels (OpenGL 1.5, sections 3.8.8 and 3.8.9), and what all filters share. A stage first fetches lane
-//! by lane, then unpacks all lanes at once. Texels are whole numbers 0 to 255; the factor 1/255 comes last, once.
+//! NEAREST of 8-bit texels (OpenGL 1.5, sections 3.8.8 and 3.8.9). A stage first fetches lane by lane, then unpacks all
+//! lanes at once. Texels are whole numbers 0 to 255; the factor 1/255 comes last, once.
 
-use super::address::far_nearest;
-use super::batch::{Lanes, TexBatch, Work};
-use super::image::Texels;
-use super::near::Near;
-use super::uniforms::{MipLevel, TexFn, UnitUniforms};
+use super::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, neighbours, offsets, texels};
 use crate::simd::{Cost, LANES, Stage, stage};
-
-/// In a stage's argument: the second pass, of two levels.
-pub const SECOND: u32 = super::address::SECOND;
-/// In a stage's argument: the colour is not the final one but one of two levels or of several taps.
-pub const PARTIAL: u32 = 16;
-
-/// In the argument of a stage that wraps too: s is REPEAT; the next bits are those of t and r.
-pub const REPEATS: u32 = 32;
-
-/// 1/255, rounded once. 255 times it is exactly 1.
-pub const INV_255: f32 = 1.0 / 255.0;
-
-/// `a + t (b - a)`.
-#[inline(always)]
-pub fn lerp(a: f32, b: f32, t: f32) -> f32 {
-    a + t * (b - a)
-}
-
-/// Byte `c` of a texel as a float.
-#[inline(always)]
-pub(super) fn byte(texel: u32, c: u32) -> f32 {
-    ((texel >> (8 * c)) & 255) as i32 as f32
-}
-
-/// The 8-bit texels of an image; none if it stores others.
-#[inline(always)]
-pub fn texels(image: &MipLevel) -> &[u32] {
-    match &image.image.texels {
-        Texels::Rgba8(texels) => texels,
-        _ => &[],
-    }
-}
-
-/// Index of each lane's first texel, `origin` being that of texel (0, 0, 0).
-#[inline(always)]
-pub(super) fn offsets<const DIMS: usize>(work: &Work, origin: u32, stride: u32, slice: u32) -> [u32; LANES] {
-    let mut at = [0; LANES];
-    for i in 0..LANES {
-        let mut o = origin.wrapping_add_signed(work.first[0][i]);
-        if DIMS > 1 {
-            o = o.wrapping_add((work.first[1][i] as u32).wrapping_mul(stride));
-        }
-        if DIMS > 2 {
-            o = o.wrapping_add((work.first[2][i] as u32).wrapping_mul(slice));
-        }
-        at[i] = o;
-    }
-    at
-}
-
-/// The image that a lane reads in a pass where lanes differ.
-#[inline(always)]
-pub(super) fn lane_image<'a>(u: &'a UnitUniforms, work: &Work, pass: usize, i: usize) -> Option<&'a MipLevel> {
-    u.images.get(work.face[i] as usize * u.face_step + work.level[pass][i] as usize)
-}
-
-/// Index of a lane's first texel in its own image.
-#[inline(always)]
-pub(super) fn lane_offset<const DIMS: usize>(work: &Work, image: &MipLevel, i: usize) -> usize {
-    let mut o = image.origin.wrapping_add_signed(work.first[0][i]);
-    if DIMS > 1 {
-        o = o.wrapping_add((work.first[1][i] as u32).wrapping_mul(image.stride));
-    }
-    if DIMS > 2 {
-        o = o.wrapping_add((work.first[2][i] as u32).wrapping_mul(image.slice));
-    }
-    o as usize
-}
-
-/// Where a stage's colour goes, and its factor.
-#[inline(always)]
-pub(super) fn destination<'a>(
-    texel: &'a mut [[Lanes; 4]],
-    color: &'a mut [[Lanes; 4]; 2],
-    unit: usize,
-    arg: u32,
-    k: f32,
-) -> Option<(&'a mut [Lanes; 4], f32)> {
-    if arg & PARTIAL != 0 {
-        color.get_mut(usize::from(arg & SECOND != 0)).map(|out| (out, 1.0))
-    } else {
-        texel.get_mut(unit).map(|out| (out, k))
-    }
-}
+use crate::texture::batch::{TexBatch, Work};
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::texture::wrap::bounded::Near;
+use crate::texture::wrap::general::far_nearest;
 
 /// The nearest texel of every lane.
 #[inline(always)]
@@ -141,20 +57,6 @@ fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, ar
     far_nearest(b, u, arg & SECOND, across);
     far_nearest(b, u, arg & SECOND | 1, up);
     nearest_texels::<2>(found, &b.work, u, pass);
-}
-
-/// The first index, if each lane reads the texel after that of the lane before it: an image drawn in its own size.
-#[inline(always)]
-pub fn neighbours<const N: usize>(at: &[u32; N]) -> Option<usize> {
-    let first = *at.first()?;
-    if at.last()?.wrapping_sub(first) != N as u32 - 1 {
-        return None;
-    }
-    let mut differs = 0;
-    for i in 0..N {
-        differs |= at[i].wrapping_sub(first) ^ i as u32;
-    }
-    (differs == 0).then_some(first as usize)
 }
 
 #[inline(always)]

@@ -2,17 +2,19 @@
 //! the fragment. REPLACE, MODULATE, DECAL, BLEND and ADD are rewritten, base format by base format, into the COMBINE form,
 //! so there is one form to run; halves that only move, multiply or add get the cheap stages of it.
 
+pub mod combine;
+
 use super::batch::TexBatch;
-use super::combine::{
-    ALPHA, Argument, COMBINE_ADD, COMBINE_ADD_SIGNED, COMBINE_DOT3, COMBINE_INTERPOLATE, COMBINE_MODULATE,
-    COMBINE_REPLACE, COMBINE_SUBTRACT, Combine, ENV_ADD, ENV_ARGUMENT, ENV_INTERPOLATE, ENV_MODULATE, ENV_REPLACE,
-    EnvFn, EnvUniforms, Function, Half, Operand, RGB, Source, argument, direct, function, weighted,
-};
 use super::format::BaseFormat;
 use crate::enums::*;
 use crate::num::clamp01;
 use crate::simd::{Level, Plan, Stage};
 use crate::state::texture::Env;
+use combine::{
+    ALPHA, Argument, COMBINE_ADD, COMBINE_ADD_SIGNED, COMBINE_DOT3, COMBINE_INTERPOLATE, COMBINE_MODULATE,
+    COMBINE_REPLACE, COMBINE_SUBTRACT, Combine, ENV_ADD, ENV_ARGUMENT, ENV_INTERPOLATE, ENV_MODULATE, ENV_REPLACE,
+    EnvFn, EnvUniforms, Function, Half, Operand, RGB, Source, argument, direct, function, weighted,
+};
 
 /// The environments of all units as a plan.
 #[derive(Clone, Debug)]

@@ -2,11 +2,11 @@
 //! bits a component. The same nested a + t (b - a) as for 8-bit texels, four channels of a lane at a time, since that is
 //! how these texels lie in memory.
 
-use super::batch::{Lanes, TexBatch, Work};
-use super::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
-use super::image::Texels;
-use super::uniforms::{MipLevel, TexFn, UnitUniforms};
 use crate::simd::{Cost, LANES, Stage, stage};
+use crate::texture::batch::{Lanes, TexBatch, Work};
+use crate::texture::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
+use crate::texture::image::Texels;
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
 
 /// A texel.
 type Texel = [f32; 4];

@@ -1,14 +1,14 @@
 //! What the tests of the samplers share: objects made of small images, and runs of a sampler at every SIMD level, which
 //! must agree to the last bit.
 
-use super::batch::TexBatch;
-use super::format::InternalFormat;
-use super::image::{Dimensions, Image, Texels};
-use super::object::TextureObject;
-use super::sampler::{Sampler, dimensions, prepare};
 use crate::enums::*;
 use crate::simd::{LANES, Level};
 use crate::state::texture::Target;
+use crate::texture::batch::TexBatch;
+use crate::texture::format::InternalFormat;
+use crate::texture::image::{Dimensions, Image, Texels};
+use crate::texture::object::TextureObject;
+use crate::texture::sampler::{Sampler, dimensions, prepare};
 use std::sync::Arc;
 
 /// A fragment's coordinates and their derivatives in x and y.

@@ -3,8 +3,8 @@
 //! takes the nearest colour of the palette; alpha takes its extremes. Two different colours are always kept. Under
 //! TEXTURE_COMPRESSION_HINT NICEST the two colours are then moved to where they fit best what the texels have chosen.
 
-use super::format::S3tc;
-use super::s3tc::{alpha_palette, color_palette};
+use crate::texture::format::S3tc;
+use crate::texture::s3tc::{alpha_palette, color_palette};
 
 /// How the two colours of a block are chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -169,8 +169,8 @@ fn encode_color(texels: &[u32; 16], transparent: bool, fit: Fit) -> [u8; 8] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::s3tc::split_565;
     use super::*;
+    use crate::texture::s3tc::split_565;
 
     /// The squared error of a block's colours.
     fn error(texels: &[u32; 16], kind: S3tc, fit: Fit) -> u32 {

@@ -5,13 +5,15 @@
 //! a + t (b - a): that is exact where a and b are equal, so a constant texture stays constant, and never leaves the range
 //! of the texels. The factor 1/255 comes last, once.
 
-use super::address::far_linear;
-use super::batch::{TexBatch, Work};
-use super::filter::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, lerp, offsets, texels};
-use super::format::BaseFormat;
-use super::near::{Form, Range};
-use super::uniforms::{MipLevel, TexFn, UnitUniforms};
 use crate::simd::{Cost, LANES, Stage, stage};
+use crate::texture::batch::{TexBatch, Work};
+use crate::texture::filter::{
+    INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, lerp, offsets, texels,
+};
+use crate::texture::format::BaseFormat;
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::texture::wrap::bounded::{Form, Range};
+use crate::texture::wrap::general::far_linear;
 
 /// In a stage's argument: it wraps its coordinates, each by REPEAT ([`REPEATS`] and the next two bits) or by CLAMP and
 /// CLAMP_TO_EDGE.

@@ -1,11 +1,11 @@
 //! Tests of whole samplers: every wrap mode, filter and target, with exact values where they can be had and properties
 //! (finite, in range, constant stays constant, one lane does not change another) where they cannot.
 
-use super::sampler::Sampler;
-use super::test_support::*;
+use super::support::*;
 use crate::enums::*;
 use crate::simd::Level;
 use crate::state::texture::Target;
+use crate::texture::sampler::Sampler;
 
 const WRAPS: [GLenum; 8] = [
     GL_REPEAT,
@@ -58,7 +58,7 @@ fn a_constant_texture_stays_constant_whatever_the_coordinate() {
                     o.parameters.wrap = [wrap; 3];
                     (o.parameters.min_filter, o.parameters.mag_filter) = (min, mag);
                     o.parameters.max_anisotropy = aniso;
-                    let want = (200.0 * super::filter::INV_255).to_bits();
+                    let want = (200.0 * crate::texture::filter::INV_255).to_bits();
                     for (p, color) in points.iter().zip(sample(&o, &points)) {
                         assert_eq!(color.map(f32::to_bits), [want; 4], "{target:?} {wrap:x} {min:x} {mag:x} {p:?}");
                     }
@@ -392,9 +392,9 @@ fn rectangles_count_texels() {
 #[test]
 fn borders_of_images_are_sampled_by_clamping_wraps() {
     let mut o = row(4, GL_CLAMP_TO_BORDER, GL_NEAREST);
-    let mut image = super::image::Image::new(
-        super::format::InternalFormat::find(GL_LUMINANCE8).unwrap(),
-        super::image::Dimensions::One,
+    let mut image = crate::texture::image::Image::new(
+        crate::texture::format::InternalFormat::find(GL_LUMINANCE8).unwrap(),
+        crate::texture::image::Dimensions::One,
         [4, 1, 1],
         1,
     )

@@ -8,8 +8,8 @@
 //!                   the others limit nothing
 //! ```
 
-use super::batch::TexBatch;
 use crate::num::{clamp_f32, round_to_int};
+use crate::texture::batch::TexBatch;
 
 /// Below this a coordinate takes its whole part off in one step, and times any N it is below 2^22.
 const NEAR: f32 = 512.0;
@@ -30,13 +30,13 @@ pub struct Range {
 impl Range {
     /// That of coordinate `c`.
     #[inline(always)]
-    pub(super) fn of(b: &TexBatch, c: usize) -> Self {
+    pub(crate) fn of(b: &TexBatch, c: usize) -> Self {
         Self { least: b.least[c], limit: b.limit[c] }
     }
 
     /// Whether it is within 0..=1.
     #[inline(always)]
-    pub(super) fn inside(self) -> bool {
+    pub(crate) fn inside(self) -> bool {
         self.least >= 0.0 && self.limit <= 1.0
     }
 }
@@ -158,7 +158,7 @@ fn pair(x: f32) -> (u32, f32) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::address::tests::both;
+    use super::super::general::tests::both;
     use super::*;
     use crate::enums::{GL_CLAMP, GL_REPEAT};
     use crate::simd::LANES;

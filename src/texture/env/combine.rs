@@ -6,10 +6,10 @@
 //! its own that read their sources in place: they give the same bits, because with operand and scale 1 the general way
 //! does nothing else.
 
-use super::batch::{Lanes, TexBatch};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::{clamp01, min_f32};
 use crate::simd::{LANES, stage};
+use crate::texture::batch::{Lanes, TexBatch};
 
 /// A stage of an environment plan.
 pub type EnvFn = for<'a, 'b> unsafe fn(&'a mut TexBatch, &'b EnvUniforms, u32);

@@ -18,12 +18,12 @@
 //! LINEAR rounds x - 1 instead of cutting x - 1/2: at a texel's centre the weight may be 1 of i-1 instead of 0 of i, which
 //! is the same colour.
 
-use super::batch::{TexBatch, Work};
-use super::near::{Form, Range};
-use super::uniforms::{TexFn, UnitUniforms};
+use super::bounded::{Form, Range};
 use crate::enums::*;
 use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
 use crate::simd::{Cost, LANES, Stage, stage};
+use crate::texture::batch::{TexBatch, Work};
+use crate::texture::uniforms::{TexFn, UnitUniforms};
 
 /// In a stage's argument: which coordinate (0 to 2).
 pub const COORDINATE: u32 = 3;
@@ -127,7 +127,7 @@ const AROUND: u8 = 2;
 /// A wrap for NEAREST, of any coordinates: REPEAT or, if not `repeats`, CLAMP and CLAMP_TO_EDGE. The argument is that of
 /// the stages.
 #[inline(always)]
-pub(super) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+pub(crate) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     if repeats {
         wrap_nearest::<AROUND>(b, u, arg, repeat);
     } else {
@@ -137,7 +137,7 @@ pub(super) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats:
 
 /// A wrap for LINEAR, as [`far_nearest`].
 #[inline(always)]
-pub(super) fn far_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+pub(crate) fn far_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     if repeats {
         wrap_linear::<AROUND>(b, u, arg, repeat);
     } else {

@@ -1,0 +1,5 @@
+//! Tests of images and of whole samplers.
+
+mod image;
+mod sampler;
+pub mod support;
