@@ -7,8 +7,8 @@ use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::raster::Scene;
 use crate::vertex::cache::IndexList;
-use crate::vertex::lane::{Lane, Parts, SourceDraw};
-use crate::vertex::pipe::Pipe;
+use crate::vertex::draw_worker::{Lane, Parts, SourceDraw};
+use crate::vertex::pipeline::Pipe;
 use crate::vertex::{Order, Source};
 
 /// The parts of the engine that a draw works with; the rest may be where its vertices are.

@@ -115,7 +115,7 @@ fn same(draw: impl Fn(&mut Context)) -> Vec<u8> {
 #[test]
 fn a_mesh_is_the_same_however_it_is_issued() {
     let list = triangles();
-    assert!(list.len() > crate::vertex::lane::WORTH_CUTTING);
+    assert!(list.len() > crate::vertex::draw_worker::WORTH_CUTTING);
     let want = same(|gl| elements(gl, GL_TRIANGLES, &list));
     assert!(same(|gl| issue(gl, GL_TRIANGLES, &list, |_, _| {})) == want, "Begin and End");
     let listed = |gl: &mut Context| {
@@ -178,7 +178,7 @@ fn triangles_in_step_with_their_batches_are_as_others() {
 #[test]
 fn strips_are_the_same_in_parts() {
     let strips: Vec<u32> = strip().into_iter().chain(strip()).collect();
-    assert!(strips.len() > crate::vertex::lane::WORTH_CUTTING);
+    assert!(strips.len() > crate::vertex::draw_worker::WORTH_CUTTING);
     for mode in [GL_TRIANGLE_STRIP, GL_QUAD_STRIP] {
         for shade in [GL_SMOOTH, GL_FLAT] {
             same(|gl| {

@@ -18,9 +18,9 @@ use crate::raster::Scene;
 use crate::simd::Tally;
 use crate::state::pixel::PixelStores;
 use crate::state::{Dirty, State};
-use crate::vertex::lane::Lane;
-use crate::vertex::piece::Pieces;
-use crate::vertex::pipe::Pipe;
+use crate::vertex::draw_worker::Lane;
+use crate::vertex::pipeline::Pipe;
+use crate::vertex::setup_job::Pieces;
 use std::sync::Arc;
 
 /// Client state: what `glPushClientAttrib` keeps (section 6.1.14).

@@ -12,9 +12,9 @@ use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
 use crate::state::current::Current;
 use crate::vertex::batch::{VertexBatch, needs};
-use crate::vertex::store::Store;
+use crate::vertex::vertex_store::Store;
 use crate::vertex::weld::Welded;
-use crate::vertex::{Order, in_step};
+use crate::vertex::{Order, triangle_list};
 
 /// Vertices from which on a pair becomes a run; shorter ones share batches with others as they are.
 const LEAST: usize = 48;
@@ -121,7 +121,7 @@ impl Run {
             return None;
         }
         let mut c = collector();
-        c.each = in_step::block(*mode);
+        c.each = triangle_list::block(*mode);
         for command in rest.iter().take(inner) {
             let Command::Vertex(op) = command else { return None };
             c.take(op)?;

@@ -1,15 +1,15 @@
 //! What a scene keeps of its primitives, in issue order: each one's shape, its planes, and in side lists what the larger
 //! shapes need. A small triangle is 64 covered-or-not bits in place; everything larger is an index into its list.
 
-use super::group::Group;
-use super::line::Line;
-use super::plane::Recipe;
-use super::point::Disc;
-use super::polygon::Edges;
-use super::pool::Pool;
-use super::rows::Rows;
-use super::smooth::Outline;
+use super::setup::aa_coverage::Outline;
+use super::setup::coverage::Edges;
+use super::setup::line::Line;
+use super::setup::plane_pool::Pool;
+use super::setup::planes::Recipe;
+use super::setup::point::Disc;
 use super::state::Rect;
+use super::triangle_batch::Group;
+use super::triangle_batch::rows::Rows;
 use crate::fragment::planes::{Linear, Planes};
 
 /// Which pixels a primitive covers.

@@ -2,40 +2,28 @@
 //! into a shape (which pixels) and planes (which values there); a [`scene::Scene`] keeps both until it is flushed; the
 //! walk over a band of rows appends row runs to batches of 64 fragments, which the draw's fragment program works on.
 
-mod bands;
-mod coordinate;
-mod corners;
-mod crew;
+mod binning;
 mod emit;
 mod geometry;
-mod group;
-mod group_planes;
-mod line;
-mod masks;
-mod plane;
-mod point;
-mod polygon;
-mod pool;
-mod rounds;
-mod rows;
+mod program_trait;
+mod raster_thread;
 mod scene;
+mod scheduler;
 mod setup;
-mod shader;
-mod smooth;
 pub mod state;
 #[cfg(test)]
 mod testing;
+mod triangle_batch;
 pub mod vertex;
-mod walker;
-mod weights;
+mod worker_pool;
 
-pub use corners::Corners;
 pub use geometry::Span;
-pub use rounds::Pieces;
+pub use program_trait::Shader;
+pub use raster_thread::SetUp;
 pub use scene::{Builder, Draw, Scene};
-pub use shader::Shader;
+pub use scheduler::Pieces;
 pub use state::RasterState;
-pub use walker::SetUp;
+pub use triangle_batch::corners::Corners;
 
 /// A processed vertex as setup reads it.
 #[derive(Clone, Copy, Debug)]

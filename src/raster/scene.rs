@@ -2,20 +2,20 @@
 //! the framebuffer until the scene is flushed (`glFlush`, `glFinish`, reading pixels, or when its memory is full), so the
 //! work of many small draws can be shared out to bands of rows and their workers.
 
-use super::bands::{self, Flush};
-use super::corners::Corners;
-use super::crew::Crew;
+use super::binning::{self, Flush};
 use super::emit::Emitter;
 use super::geometry::{Context, Geometry, Span};
-use super::line::Segment;
-use super::plane::Recipe;
-use super::point::Dot;
-use super::rounds::{Part, Pieces, Round};
-use super::setup::Triangle;
-use super::shader::Shader;
+use super::program_trait::Shader;
+use super::raster_thread::{Empties, Kit, Load, Manner, SetUp, Walker};
+use super::scheduler::{Part, Pieces, Round};
+use super::setup::line::Segment;
+use super::setup::planes::Recipe;
+use super::setup::point::Dot;
+use super::setup::triangle::Triangle;
 use super::state::Mode;
+use super::triangle_batch::corners::Corners;
 use super::vertex::Vertices;
-use super::walker::{Empties, Kit, Load, Manner, SetUp, Walker};
+use super::worker_pool::Crew;
 use super::{RasterState, VertexRef};
 use crate::framebuffer::Framebuffer;
 use crate::simd::{LANES, Level};
@@ -336,7 +336,7 @@ impl<P: Shader> Scene<P> {
             return before;
         }
         let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut, level: self.recipe.level() };
-        let samples = bands::flush(&flush, framebuffer, (&self.crew, threads), &mut self.bins, &mut self.emitters);
+        let samples = binning::flush(&flush, framebuffer, (&self.crew, threads), &mut self.bins, &mut self.emitters);
         self.geometry.clear();
         before + samples
     }

@@ -2,7 +2,7 @@
 //! stages work on (positions in f64, colours in f32), and one array a slot of what is handed on. Stages never write to
 //! the input arrays, so a value that is the same for all vertices of a draw is filled in once.
 
-use super::sight::Triangles;
+use super::cull::Triangles;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
 use crate::raster::vertex::Place;
 use crate::simd::LANES;

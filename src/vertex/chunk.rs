@@ -10,7 +10,7 @@ use super::cache::Elements;
 use super::clip::Clipper;
 use super::counts::Counts;
 use super::plan::{VertFn, VertexPlan};
-use super::pool::{PLACES, Pool};
+use super::transformed::{PLACES, Pool};
 use super::{Assembled, Keys, Source};
 use crate::enums::GLenum;
 use crate::simd::{LANES, Step};

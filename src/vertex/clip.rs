@@ -8,8 +8,8 @@
 
 use super::batch::MAX_SLOTS;
 use super::plan::VertexPlan;
-use super::pool::Pool;
-use super::transform::{GUARD_BAND, to_window};
+use super::stages::transform::{GUARD_BAND, to_window};
+use super::transformed::Pool;
 use super::uniforms::ViewportNumbers;
 use super::{Assembled, VertexRef};
 use crate::limits::MAX_CLIP_PLANES;

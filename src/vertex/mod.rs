@@ -13,20 +13,16 @@ pub mod cache;
 pub mod chunk;
 pub mod clip;
 pub mod counts;
-pub mod in_step;
-pub mod lane;
-pub mod lighting;
-pub mod material;
-pub mod normal;
-pub mod piece;
-pub mod pipe;
+pub mod cull;
+pub mod draw_worker;
+pub mod pipeline;
 pub mod plan;
-pub mod pool;
-pub mod sight;
-pub mod store;
-pub mod tex_coord;
-pub mod transform;
+pub mod setup_job;
+pub mod stages;
+pub mod transformed;
+pub mod triangle_list;
 pub mod uniforms;
+pub mod vertex_store;
 pub mod weld;
 
 use crate::enums::GLenum;
@@ -37,8 +33,8 @@ use assemble::Primitive;
 use batch::VertexBatch;
 use clip::Clipper;
 use plan::VertexPlan;
-use pool::Pool;
 use std::ops::Range;
+use transformed::Pool;
 
 /// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
 /// hit record.
@@ -235,7 +231,7 @@ pub trait Source: Sync {
     fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
     /// How many vertices of a primitive are best taken at a time.
     fn block(&self, mode: GLenum) -> usize {
-        in_step::block(mode)
+        triangle_list::block(mode)
     }
 }
 

@@ -3,11 +3,11 @@
 //! or user planes that use them, no normal without a reader, no term of lighting that is black.
 
 use super::batch::{MAX_SLOTS, VertexBatch, needs};
-use super::in_step::CORNER_PLACES;
-use super::normal::{NORMAL, NORMAL_UNIT, Rescale, normal_matrix};
-use super::sight::{CULLS, SIGHT};
+use super::cull::{CULLS, SIGHT};
+use super::stages::normal::{NORMAL, NORMAL_UNIT, Rescale, normal_matrix};
+use super::stages::{lighting, material, tex_coord, transform};
+use super::triangle_list::CORNER_PLACES;
 use super::uniforms::{LightNumbers, MaterialNumbers, UnitNumbers, VertexUniforms, ViewportNumbers};
-use super::{lighting, material, tex_coord, transform};
 use crate::enums::*;
 use crate::fragment::planes::{Layout, UnitSlots};
 use crate::num;

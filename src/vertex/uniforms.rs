@@ -1,7 +1,7 @@
 //! The numbers that vertex stages work with, derived from the state when it changes: matrices in f64, lights and
 //! materials in f32. Stages see only these and the batch, never the state itself.
 
-use super::normal::NormalMatrix;
+use super::stages::normal::NormalMatrix;
 use crate::limits::{MAX_CLIP_PLANES, MAX_LIGHTS, MAX_TEXTURE_UNITS};
 
 /// A matrix as four columns.

@@ -3,7 +3,7 @@
 //! a vertex depends on nothing but its values, so no bit changes.
 
 use super::cache::IndexList;
-use super::store::Store;
+use super::vertex_store::Store;
 
 /// How many places are looked at for a vertex before it counts as new, so that no input takes long.
 const PROBES: usize = 8;

@@ -7,7 +7,7 @@ mod lit;
 mod primitives;
 mod textured;
 
-use super::pipe::Pipe;
+use super::pipeline::Pipe;
 use super::plan::Wants;
 use super::{Assembled, VertexRef};
 use crate::enums::GLenum;

@@ -2,27 +2,27 @@
 //! do for one triangle, in the same order of the same operations, so that either gives the same bits. A lane where it
 //! does not end well (values that are no numbers, ranges that may need f64) is marked, and its triangle done alone.
 //!
-//! [`setup`]: super::setup
-//! [`weights`]: super::weights
+//! [`setup`]: crate::raster::setup::triangle
+//! [`weights`]: crate::raster::setup::weights
 
-use super::coordinate::{LIMIT, whole_periods};
 use super::corners::Corners;
-use super::group::Group;
 use super::masks::masks;
 use super::rows::{ROWS, rows};
-use super::setup::LIMIT as LIMIT_OF_POSITIONS;
-use super::state::Rect;
-use super::weights::range;
 use crate::fragment::planes::{GROUP, Layout, PlaneGroup};
+use crate::raster::setup::texcoord_planes::{LIMIT, whole_periods};
+use crate::raster::setup::triangle::LIMIT as LIMIT_OF_POSITIONS;
+use crate::raster::setup::weights::range;
+use crate::raster::state::Rect;
+use crate::raster::triangle_batch::Group;
 use crate::simd::stage;
 
 /// One number for each triangle.
-pub(super) type Floats = [f64; GROUP];
+pub(crate) type Floats = [f64; GROUP];
 const ZERO: Floats = [0.0; GROUP];
 
 /// A linear function for each triangle.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Linears {
+pub(crate) struct Linears {
     pub at: Floats,
     pub x: Floats,
     pub y: Floats,
@@ -30,9 +30,9 @@ pub(super) struct Linears {
 
 const LINEARS: Linears = Linears { at: ZERO, x: ZERO, y: ZERO };
 
-/// What interpolation needs of the triangles themselves; see [`Weights`](super::weights::Weights).
+/// What interpolation needs of the triangles themselves; see [`Weights`](crate::raster::setup::weights::Weights).
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Bases {
+pub(crate) struct Bases {
     pub d: Linears,
     b: [Linears; 2],
     far: Floats,
@@ -44,14 +44,14 @@ pub(super) struct Bases {
 
 /// What is to be computed of the state.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Rules {
+pub(crate) struct Rules {
     /// The coordinates that each slot belongs to, if any.
     pub slots: Vec<Option<Coordinate>>,
 }
 
 /// A slot that is a texture coordinate.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Coordinate {
+pub(crate) struct Coordinate {
     period: u8,
     texels: f64,
     cube: bool,
@@ -60,7 +60,7 @@ pub(super) struct Coordinate {
 
 impl Rules {
     /// Takes over a layout, none of whose units has a q.
-    pub(super) fn set(&mut self, layout: &Layout) {
+    pub(crate) fn set(&mut self, layout: &Layout) {
         self.slots.clear();
         self.slots.resize(layout.count, None);
         for unit in layout.units.iter().flatten() {
@@ -76,7 +76,7 @@ impl Rules {
 
 /// What of the state decides over a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(crate) struct View {
     /// Where pixels may be written.
     pub area: Rect,
     /// Whether triangles that wind counter-clockwise, or do not, are culled.
@@ -89,10 +89,10 @@ pub(super) struct View {
 
 /// What becomes of a triangle: it covers nothing, is a member of the group with a mask, or with rows since it is too large
 /// for a mask, or must be set up alone since it is larger still.
-pub(super) const NOTHING: i32 = 0;
-pub(super) const MASK: i32 = 1;
-pub(super) const BLOCK: i32 = 2;
-pub(super) const ALONE: i32 = 3;
+pub(crate) const NOTHING: i32 = 0;
+pub(crate) const MASK: i32 = 1;
+pub(crate) const BLOCK: i32 = 2;
+pub(crate) const ALONE: i32 = 3;
 /// The largest bounding box of a member: its runs of pixels are too short to be worth more than lanes of a batch.
 const MOST: i32 = ROWS as i32;
 
@@ -128,10 +128,10 @@ fn slot_lanes(quads: &[[[f32; 4]; GROUP]; 3], out: &mut [[[f32; GROUP]; 3]; 4]) 
 }
 
 /// Turns the corners of so many slots into lanes.
-pub(super) type TurnFn = unsafe fn(&mut Group, usize);
+pub(crate) type TurnFn = unsafe fn(&mut Group, usize);
 
 /// Sets up a group: masks, and planes in one place a slot.
-pub(super) type GroupFn = unsafe fn(&mut Group, &Rules, &View, &mut [PlaneGroup]);
+pub(crate) type GroupFn = unsafe fn(&mut Group, &Rules, &View, &mut [PlaneGroup]);
 
 /// What the members of a group are like.
 struct Members {
@@ -406,7 +406,7 @@ fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
 
 stage! {
     /// The corners of a group into lanes.
-    pub(super) fn TURN_GROUP: TurnFn = (group: &mut Group, count: usize) {
+    pub(crate) fn TURN_GROUP: TurnFn = (group: &mut Group, count: usize) {
         let Group { quads, place, corners, .. } = group;
         lanes(place, &mut corners.place);
         // The last one first: what it has of the slots of the one before it may be other colours than it should be.
@@ -419,7 +419,7 @@ stage! {
     }
 
     /// Masks and planes of a group.
-    pub(super) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, view: &View, out: &mut [PlaneGroup]) {
+    pub(crate) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, view: &View, out: &mut [PlaneGroup]) {
         let members = sort(group, view);
         if !members.any {
             return;

@@ -2,10 +2,10 @@
 //! into the slots that the layout wants. A coordinate that is not finite becomes 0 in the store, the one place for it,
 //! so that leaving out an identity matrix changes nothing.
 
-use super::batch::{Lanes, VertexBatch};
-use super::plan::VertFn;
-use super::uniforms::VertexUniforms;
 use crate::simd::{LANES, stage};
+use crate::vertex::batch::{Lanes, VertexBatch};
+use crate::vertex::plan::VertFn;
+use crate::vertex::uniforms::VertexUniforms;
 
 /// Packs a unit and a coordinate into a stage argument.
 #[must_use]
@@ -26,7 +26,7 @@ fn finite(v: f64) -> f32 {
 }
 
 /// Which rows go where: s, t, r as far as they count, then q.
-fn rows(u: &super::uniforms::UnitNumbers) -> impl Iterator<Item = (usize, usize)> {
+fn rows(u: &crate::vertex::uniforms::UnitNumbers) -> impl Iterator<Item = (usize, usize)> {
     let (base, count) = (u.base, u.count.min(3));
     let q = u.has_q.then_some((3, base + count));
     (0..count).map(move |r| (r, base + r)).chain(q)

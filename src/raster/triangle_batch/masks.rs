@@ -1,4 +1,4 @@
-//! The masks of a group of small triangles, a triangle a lane (OpenGL 1.5, section 3.5.1): the rule of [`polygon`], for
+//! The masks of a group of small triangles, a triangle a lane (OpenGL 1.5, section 3.5.1): the rule of [`coverage`], for
 //! pixels within 8 by 8 of a triangle's bounding box. The four columns of a row are the 16-bit digits of a u64, each with
 //! 2^15 added to its edge function, so that a digit's top bit says "not negative" and one addition goes on to the next
 //! row of all four.
@@ -6,12 +6,12 @@
 //! No digit leaves 0..2^16: |E| / 256 is at most the area of the square that holds triangle and pixels, in 1/256 pixel over
 //! 256, which is below 23,700 (9.6 pixels squared).
 //!
-//! [`polygon`]: super::polygon
+//! [`polygon`]: crate::raster::setup::coverage
 
 use crate::fragment::planes::GROUP;
 
 /// One integer for each triangle of a group.
-pub(super) type Ints = [i32; GROUP];
+pub(crate) type Ints = [i32; GROUP];
 
 const ONES: u64 = 0x0001_0001_0001_0001;
 const COUNT: u64 = 0x0003_0002_0001_0000;
@@ -21,7 +21,7 @@ const TOP: u64 = 0x8000_8000_8000_8000;
 /// `first`. The edge runs between two corners of a triangle that winds counter-clockwise where `turn` is 0; where it is
 /// all ones, the triangle winds clockwise and the edge runs the other way.
 #[inline(always)]
-pub(super) fn edge_function(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2], i: usize) -> [i32; 3] {
+pub(crate) fn edge_function(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2], i: usize) -> [i32; 3] {
     // E vanishes on the whole edge, so that either end will do for p.
     let (a, b) = (p[1][i] - q[1][i], q[0][i] - p[0][i]);
     let (a, b) = ((a ^ turn[i]) - turn[i], (b ^ turn[i]) - turn[i]);
@@ -33,7 +33,7 @@ pub(super) fn edge_function(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[
 
 /// All ones where a triangle winds clockwise.
 #[inline(always)]
-pub(super) fn turns(area: &Ints) -> Ints {
+pub(crate) fn turns(area: &Ints) -> Ints {
     let mut turn = [0; GROUP];
     for i in 0..GROUP {
         turn[i] = area[i] >> 31;
@@ -108,7 +108,7 @@ fn in_rows(x: u64) -> u64 {
 /// which is the first one of the bounding box. `area` is positive where a triangle winds counter-clockwise; `width` and
 /// `height` are those of the largest bounding box, at most 8.
 #[inline(always)]
-pub(super) fn masks(
+pub(crate) fn masks(
     p: &[[Ints; 2]; 3],
     area: &Ints,
     first: &[Ints; 2],

@@ -7,21 +7,26 @@
 //! where their number is no multiple of 4 (then some are in two quads). They are turned into [`Corners`], unless somebody
 //! has them in that form already.
 
-use super::VertexRef;
-use super::corners::{Corners, MOST_SLOTS};
-use super::geometry::{Context, Cover, Geometry, Prim, index};
-use super::group_planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
-use super::masks::Ints;
-use super::rows::{Ends, ROWS, Rows};
-use super::setup::{Triangle, clip_mask};
-use super::state::{Mode, Rect};
-use super::vertex::{Vertices, twice_area};
+pub(super) mod corners;
+pub(super) mod masks;
+pub(super) mod planes;
+pub(super) mod rows;
+
 use crate::fragment::planes::{GROUP, Linear, Planes};
+use crate::raster::VertexRef;
+use crate::raster::geometry::{Context, Cover, Geometry, Prim, index};
+use crate::raster::setup::triangle::{Triangle, clip_mask};
+use crate::raster::state::{Mode, Rect};
+use crate::raster::vertex::{Vertices, twice_area};
+use corners::{Corners, MOST_SLOTS};
+use masks::Ints;
+use planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
+use rows::{Ends, ROWS, Rows};
 
 /// Triangles on their way to being filed.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub(super) struct Group {
+pub(crate) struct Group {
     /// Slots of each corner.
     pub quads: [[[[f32; 4]; GROUP]; 3]; MOST_SLOTS / 4],
     /// w, window x, y and z of each corner, in the order of a vertex.
@@ -78,7 +83,7 @@ impl Default for Group {
 
 /// The quad that holds a slot of so many, and the slot's place in it.
 #[inline(always)]
-pub(super) const fn quad_of(count: usize, slot: usize) -> (usize, usize) {
+pub(crate) const fn quad_of(count: usize, slot: usize) -> (usize, usize) {
     let whole = count / 4;
     if slot / 4 < whole {
         (slot / 4, slot % 4)
@@ -161,7 +166,7 @@ impl Group {
 impl Geometry {
     /// Lets a filled triangle wait. False, and nothing done, where a vertex lacks slots.
     #[inline]
-    pub(super) fn wait(&mut self, cx: &Context, t: &Triangle) -> bool {
+    pub(crate) fn wait(&mut self, cx: &Context, t: &Triangle) -> bool {
         let group = &mut *self.group;
         let lane = group.count % GROUP;
         let layout = cx.recipe.layout();
@@ -187,13 +192,13 @@ impl Geometry {
     }
 
     /// Whether triangles may wait [many at a time](Self::wait_all): where each corner has its own colours.
-    pub(super) fn takes_many(cx: &Context, stride: usize) -> bool {
+    pub(crate) fn takes_many(cx: &Context, stride: usize) -> bool {
         let layout = cx.recipe.layout();
         cx.recipe.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= stride
     }
 
     /// Lets filled triangles wait, whose corners are some of many vertices.
-    pub(super) fn wait_all(&mut self, cx: &Context, vertices: &Vertices, triangles: &[[u32; 3]]) {
+    pub(crate) fn wait_all(&mut self, cx: &Context, vertices: &Vertices, triangles: &[[u32; 3]]) {
         let mut rest = triangles;
         while !rest.is_empty() {
             let free = GROUP - self.group.count % GROUP;
@@ -207,14 +212,14 @@ impl Geometry {
     }
 
     /// Files the triangles that wait.
-    pub(super) fn settle(&mut self, cx: &Context) {
+    pub(crate) fn settle(&mut self, cx: &Context) {
         if self.group.count > 0 {
             self.file_group(cx);
         }
     }
 
     /// Files triangles whose corners `fill` puts in place, a triangle a lane, in the first lanes.
-    pub(super) fn file_corners(&mut self, cx: &Context, count: usize, fill: impl FnOnce(&mut Corners)) {
+    pub(crate) fn file_corners(&mut self, cx: &Context, count: usize, fill: impl FnOnce(&mut Corners)) {
         self.settle(cx);
         fill(&mut self.group.corners);
         self.file_lanes(cx, count.min(GROUP));

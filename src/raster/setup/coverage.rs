@@ -13,7 +13,7 @@
 //!     p---r                 outside otherwise (E - 1 >= 0)
 //! ```
 
-use super::state::Rect;
+use crate::raster::state::Rect;
 
 /// Fraction bits of a position.
 const SUB: i32 = 8;

@@ -4,13 +4,13 @@
 //! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
-use super::corners::MOST_SLOTS;
-use super::group::Group;
-use super::group_planes::{GroupFn, Rules, SET_UP_GROUP, TURN_GROUP, TurnFn, View};
-use super::pool::Pool;
-use super::state::{Mode, RasterState};
+use super::plane_pool::Pool;
 use super::weights::{FOUR, Four, FourFn, Weights};
 use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, Planes, UnitSlots};
+use crate::raster::state::{Mode, RasterState};
+use crate::raster::triangle_batch::Group;
+use crate::raster::triangle_batch::corners::MOST_SLOTS;
+use crate::raster::triangle_batch::planes::{GroupFn, Rules, SET_UP_GROUP, TURN_GROUP, TurnFn, View};
 use crate::simd::Level;
 
 /// How a position relative to the origin becomes weights of the corners.
@@ -98,7 +98,7 @@ fn four_of(slots: &[f32], at: usize) -> Option<&[f32; 4]> {
 }
 
 /// The plane of a value that is the same everywhere.
-pub(super) const fn constant(c: f32) -> Plane {
+pub(crate) const fn constant(c: f32) -> Plane {
     Plane { c, min: c, max: c, n0: 0.0, nx: 0.0, ny: 0.0 }
 }
 
@@ -155,7 +155,7 @@ impl Recipe {
     }
 
     /// Turns the corners of a group into lanes.
-    pub(super) fn turn(&self, group: &mut Group) {
+    pub(crate) fn turn(&self, group: &mut Group) {
         #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
         // SAFETY: a recipe is made for no level that the processor does not have.
         unsafe {
@@ -165,7 +165,7 @@ impl Recipe {
 
     /// Sets up a group, whose planes go to a place a slot.
     #[inline]
-    pub(super) fn group(&self, group: &mut Group, view: &View, out: &mut [PlaneGroup]) {
+    pub(crate) fn group(&self, group: &mut Group, view: &View, out: &mut [PlaneGroup]) {
         #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
         // SAFETY: a recipe is made for no level that the processor does not have.
         unsafe {
@@ -176,7 +176,7 @@ impl Recipe {
     /// Colours that are not simply those of the corners, for flat shading and back faces: slot, slot of the value to be
     /// taken instead, how many of each.
     #[inline]
-    pub(super) fn color_slots(&self, back: bool) -> impl Iterator<Item = (usize, usize, usize)> {
+    pub(crate) fn color_slots(&self, back: bool) -> impl Iterator<Item = (usize, usize, usize)> {
         let back = if back { self.layout.back } else { None };
         let primary = self.layout.color.map(|slot| (slot, back.unwrap_or(slot), 4));
         // The back side's primary colour has its place even where only the secondary colour is wanted.
@@ -198,7 +198,7 @@ impl Recipe {
         self.colors(&weights, values, four, out);
         let d = weights.d;
         if weights.bound(d.at, d.x, d.y) > 2048.0 * weights.far
-            && super::coordinate::denominator_error(basis, &d, weights.r) > 2048.0
+            && super::texcoord_planes::denominator_error(basis, &d, weights.r) > 2048.0
         {
             planes.wide |= Planes::WIDE_W;
         }
@@ -267,4 +267,4 @@ impl Recipe {
 }
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(crate) mod tests;

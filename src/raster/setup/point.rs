@@ -2,16 +2,16 @@
 //! values are those of the vertex, so their planes have no slope. A point is drawn or not by its centre; its square may
 //! reach beyond the viewport.
 
-use super::VertexRef;
-use super::geometry::{Context, Cover, Geometry, Span, index};
-use super::plane::{Basis, Values};
-use super::setup::within_limit;
-use super::state::{Rect, limited_point};
+use super::planes::{Basis, Values};
+use super::triangle::within_limit;
 use crate::fragment::planes::{Linear, Planes};
+use crate::raster::VertexRef;
+use crate::raster::geometry::{Context, Cover, Geometry, Span, index};
+use crate::raster::state::{Rect, limited_point};
 
 /// A point on its way to being filed.
 #[derive(Clone, Copy)]
-pub(super) struct Dot<'a> {
+pub(crate) struct Dot<'a> {
     pub v: VertexRef<'a>,
     pub provoking: &'a [f32],
     /// Whether the colours of back faces are taken (vertices of polygons).
@@ -75,7 +75,7 @@ fn square(center: [i32; 2], size: i32) -> Rect {
 
 impl Geometry {
     /// Sets up a point and files it.
-    pub(super) fn point(&mut self, cx: &Context, dot: &Dot) {
+    pub(crate) fn point(&mut self, cx: &Context, dot: &Dot) {
         let head = dot.v.head;
         let center = head.snapped;
         if !within_limit(&[center]) {
@@ -119,7 +119,7 @@ impl Geometry {
 
     /// Files row runs that all have the values of one vertex (a bitmap at the raster position). A pixel may be in them
     /// once only.
-    pub(super) fn runs(&mut self, cx: &Context, v: VertexRef, runs: impl Iterator<Item = Span>) {
+    pub(crate) fn runs(&mut self, cx: &Context, v: VertexRef, runs: impl Iterator<Item = Span>) {
         let (first, clip) = (self.spans.len(), cx.rs.clip);
         let mut pixels = 0;
         for Span { x, y, len } in runs {

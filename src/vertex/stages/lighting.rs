@@ -5,11 +5,11 @@
 //! A vector is subtracted in f64 and has its length divided out in f32. Zero vectors stay zero, attenuation is limited
 //! to 1e30: no sum is ever NaN.
 
-use super::batch::{Lanes, VertexBatch, Wide};
-use super::plan::VertFn;
-use super::uniforms::{LightNumbers, VertexUniforms};
 use crate::num;
 use crate::simd::{LANES, stage};
+use crate::vertex::batch::{Lanes, VertexBatch, Wide};
+use crate::vertex::plan::VertFn;
+use crate::vertex::uniforms::{LightNumbers, VertexUniforms};
 
 /// Argument of the sums: the light's number in the low bits, then these flags.
 pub mod flag {

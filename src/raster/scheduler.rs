@@ -5,13 +5,13 @@
 //! farther, and a band is one worker's at a time. A worker would rather walk what it has set up itself, which is in its
 //! cache.
 
-use super::bands::{self, Flush};
-use super::crew::Crew;
+use super::binning::{self, Flush};
 use super::emit::Emitter;
 use super::geometry::Geometry;
-use super::plane::Recipe;
+use super::program_trait::Shader;
 use super::scene::{Builder, Draw};
-use super::shader::Shader;
+use super::setup::planes::Recipe;
+use super::worker_pool::Crew;
 use crate::framebuffer::{Band, Framebuffer};
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -222,7 +222,7 @@ impl<P: Shader> Round<'_, P> {
         emitters: &mut Vec<Emitter>,
     ) -> u64 {
         let workers = owns.len().max(1);
-        let rows = bands::band_rows(framebuffer.width(), framebuffer.height());
+        let rows = binning::band_rows(framebuffer.width(), framebuffer.height());
         let bands: Vec<_> = framebuffer.bands(rows).into_iter().map(Mutex::new).collect();
         let level = self.recipe.level();
         emitters.resize_with(emitters.len().max(workers), || Emitter::new(level));
@@ -278,7 +278,7 @@ impl<P: Shader> Round<'_, P> {
         let mut to = Builder::new(self.draw, 0, self.recipe, &mut part.geometry, &mut stipple);
         pieces.set_up(piece, own, &mut to);
         to.settle();
-        bands::file(&part.geometry, &mut part.bins, bands.0, bands.1);
+        binning::file(&part.geometry, &mut part.bins, bands.0, bands.1);
     }
 }
 

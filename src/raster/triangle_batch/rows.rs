@@ -1,20 +1,20 @@
 //! The rows of a group's triangles that are too large for masks, a triangle a lane (OpenGL 1.5, section 3.5.1): within 16
-//! by 16 pixels, where the covered pixels of each row begin and end. It is the walk of [`polygon`], with the same whole
+//! by 16 pixels, where the covered pixels of each row begin and end. It is the walk of [`coverage`], with the same whole
 //! numbers, for sixteen triangles at once: an edge crosses a row at a quotient, which goes from row to row by adding its
 //! step and, when the remainder is full, one more.
 //!
-//! [`polygon`]: super::polygon
+//! [`polygon`]: crate::raster::setup::coverage
 
 use super::masks::{Ints, edge_function, turns};
-use super::state::Rect;
 use crate::fragment::planes::GROUP;
 use crate::num::MAGIC_F64;
+use crate::raster::state::Rect;
 
 /// Rows of a triangle, and columns.
-pub(super) const ROWS: usize = 16;
+pub(crate) const ROWS: usize = 16;
 
 /// For each row and triangle: its first covered column, and 256 times the one after its last.
-pub(super) type Ends = [[u16; GROUP]; ROWS];
+pub(crate) type Ends = [[u16; GROUP]; ROWS];
 
 /// The covered pixels of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,21 +32,21 @@ pub struct Rows {
 impl Rows {
     /// None yet, of a triangle whose bounding box begins at a pixel and has some rows.
     #[inline]
-    pub(super) const fn new([x, y]: [i32; 2], height: i32) -> Self {
+    pub(crate) const fn new([x, y]: [i32; 2], height: i32) -> Self {
         Self { x, y, used: [0, height as u8], ends: [[0; 2]; ROWS] }
     }
 
     /// Takes those of a triangle of a group, to be called where they are kept: as many as there may be, since how many
     /// there are is not to be foreseen.
     #[inline]
-    pub(super) fn take(&mut self, ends: &Ends, lane: usize) {
+    pub(crate) fn take(&mut self, ends: &Ends, lane: usize) {
         for (to, from) in self.ends.iter_mut().zip(ends) {
             *to = from[lane % GROUP].to_le_bytes();
         }
     }
 
     /// Cuts them down to what lies in a rectangle; how many pixels that is.
-    pub(super) fn cut(&mut self, rect: Rect) -> u64 {
+    pub(crate) fn cut(&mut self, rect: Rect) -> u64 {
         let column = |at: i32| at.wrapping_sub(self.x).clamp(0, ROWS as i32) as u8;
         let row = |at: i32| at.wrapping_sub(self.y).clamp(0, ROWS as i32) as u8;
         let (left, right) = (column(rect.x0), column(rect.x1));
@@ -144,7 +144,7 @@ impl Step {
 /// one of the bounding box, and how many pixels they cover. `area` is positive where a triangle winds counter-clockwise. Of
 /// triangles that are larger than 16 by 16 anything may come out.
 #[inline(always)]
-pub(super) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u32, out: &mut Ends) -> Ints {
+pub(crate) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u32, out: &mut Ends) -> Ints {
     let turn = turns(area);
     let mut steps = [
         Step::new(&p[0], &p[1], &turn, first),

@@ -3,11 +3,11 @@
 //! after the other. A pixel lies in one band, so it sees the same fragments in the same order in either case, and since a
 //! fragment depends on nothing but its primitive and its position, the result is the same to the last bit.
 
-use super::crew::{Crew, PAYS};
 use super::emit::{Emitter, Sink};
 use super::geometry::{Cover, Geometry, Prim};
+use super::program_trait::Shader;
 use super::scene::Draw;
-use super::shader::Shader;
+use super::worker_pool::{Crew, PAYS};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};
 use crate::fragment::program::ORDINARY;

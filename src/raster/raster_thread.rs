@@ -6,13 +6,13 @@
 //! Since walking small triangles takes less time than setting them up, a load may have primitives that the thread sets up
 //! first.
 
-use super::bands::{self, Flush};
-use super::crew::Crew;
+use super::binning::{self, Flush};
 use super::emit::Emitter;
 use super::geometry::Geometry;
-use super::plane::Recipe;
+use super::program_trait::Shader;
 use super::scene::{Builder, Draw};
-use super::shader::Shader;
+use super::setup::planes::Recipe;
+use super::worker_pool::Crew;
 use crate::framebuffer::Framebuffer;
 use crate::simd::Level;
 use std::any::Any;
@@ -86,7 +86,7 @@ impl Kit {
         let walk = || {
             load.set_up();
             let flush = Flush { draws: &load.draws, geometry: &load.geometry, cut: manner.cut, level: manner.level };
-            bands::flush(&flush, framebuffer, (&manner.crew, manner.threads), bins, emitters)
+            binning::flush(&flush, framebuffer, (&manner.crew, manner.threads), bins, emitters)
         };
         match catch_unwind(AssertUnwindSafe(walk)) {
             Ok(samples) => self.samples += samples,

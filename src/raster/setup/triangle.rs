@@ -2,37 +2,37 @@
 //! and offset, and the planes. What draws nothing is found out as early as possible: culled triangles before anything
 //! else is computed, small ones that contain no pixel centre before their planes are made.
 
-use super::VertexRef;
-use super::geometry::{Context, Cover, Geometry, finite, index};
+use super::coverage::{Edges, bounds};
 use super::line::Segment;
-use super::plane::{Basis, Values};
+use super::planes::{Basis, Values};
 use super::point::Dot;
-use super::polygon::{Edges, bounds};
-use super::state::{Mode, Rect};
-use super::vertex::{Vertex, twice_area};
 use crate::fragment::planes::{Linear, Planes};
+use crate::raster::VertexRef;
+use crate::raster::geometry::{Context, Cover, Geometry, finite, index};
+use crate::raster::state::{Mode, Rect};
+use crate::raster::vertex::{Vertex, twice_area};
 
 /// Positions of vertices that can be rasterised are below this, in 1/256 pixel: the guard band and some room.
-pub(super) const LIMIT: i32 = 1 << 23;
+pub(crate) const LIMIT: i32 = 1 << 23;
 
 /// Whether all positions are within the limit.
 #[inline]
-pub(super) fn within_limit(points: &[[i32; 2]]) -> bool {
+pub(crate) fn within_limit(points: &[[i32; 2]]) -> bool {
     points.iter().flatten().fold(0u32, |all, v| all | (v.wrapping_add(LIMIT) as u32)) < (2 * LIMIT) as u32
 }
 
 /// A position in 1/256 pixel as pixels from the centre of the origin pixel; exact.
-pub(super) fn relative_snapped(p: [i32; 2], origin: [i32; 2]) -> [f64; 2] {
+pub(crate) fn relative_snapped(p: [i32; 2], origin: [i32; 2]) -> [f64; 2] {
     [0, 1].map(|k: usize| f64::from(p[k] - (origin[k] << 8) - 128) * (1.0 / 256.0))
 }
 
 /// An unsnapped position as pixels from the centre of the origin pixel.
-pub(super) fn relative(p: [f64; 3], origin: [i32; 2]) -> [f64; 2] {
+pub(crate) fn relative(p: [f64; 3], origin: [i32; 2]) -> [f64; 2] {
     [p[0] - (f64::from(origin[0]) + 0.5), p[1] - (f64::from(origin[1]) + 0.5)]
 }
 
 /// A triangle on its way to being filed.
-pub(super) struct Triangle<'a> {
+pub(crate) struct Triangle<'a> {
     pub v: [VertexRef<'a>; 3],
     pub provoking: &'a [f32],
     /// Whether the edge from each vertex to the next is a boundary.
@@ -100,7 +100,7 @@ fn pixels(area: i64) -> f64 {
 
 impl Geometry {
     /// Sets up a triangle: culls it, or files it as its mode says.
-    pub(super) fn triangle(&mut self, cx: &Context, t: &Triangle, stipple: &mut u32) {
+    pub(crate) fn triangle(&mut self, cx: &Context, t: &Triangle, stipple: &mut u32) {
         if cx.recipe.is_grouped() && self.wait(cx, t) {
             return;
         }
@@ -124,7 +124,7 @@ impl Geometry {
     }
 
     /// Files a filled triangle that is not culled.
-    pub(super) fn fill(&mut self, cx: &Context, t: &Triangle, mut p: [[i32; 2]; 3], area: i64, back: bool) {
+    pub(crate) fn fill(&mut self, cx: &Context, t: &Triangle, mut p: [[i32; 2]; 3], area: i64, back: bool) {
         let bounds = bounds(&p);
         let rect = bounds.and(cx.rs.area);
         if area == 0 || rect.is_empty() {
@@ -149,7 +149,7 @@ impl Geometry {
 
     /// Keeps the edges of a counter-clockwise triangle: its cover, and about how many pixels that is.
     #[inline]
-    pub(super) fn edges(&mut self, p: &[[i32; 2]; 3], rect: Rect) -> (Cover, u64) {
+    pub(crate) fn edges(&mut self, p: &[[i32; 2]; 3], rect: Rect) -> (Cover, u64) {
         self.edges.push(Edges::new(p, rect));
         let pixels = i64::from(rect.x1 - rect.x0) * i64::from(rect.y1 - rect.y0) / 2;
         (Cover::Edges(index(self.edges.len() - 1)), pixels.unsigned_abs())
@@ -157,7 +157,7 @@ impl Geometry {
 
     /// The planes of a filled triangle, its slots in the pool.
     #[inline(always)]
-    pub(super) fn triangle_planes(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode) -> Planes {
+    pub(crate) fn triangle_planes(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode) -> Planes {
         let v = t.v.map(|v| v.head);
         let (origin, det) = (origin(&v), pixels(area));
         let (z, _) = depth(cx, &v, origin, det, mode);
@@ -199,7 +199,7 @@ impl Geometry {
 
 /// The bits of a small triangle's mask that may be drawn: clip rectangle and polygon stipple.
 #[inline]
-pub(super) fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
+pub(crate) fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
     let stipple = cx.rs.polygon_stipple.as_deref();
     if rect == bounds && stipple.is_none() {
         return u64::MAX;

@@ -1,7 +1,7 @@
 //! The corners of a group of small triangles, a triangle a lane: what setup works on.
 
-use super::vertex::Vertex;
 use crate::fragment::planes::GROUP;
+use crate::raster::vertex::Vertex;
 
 /// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.
 pub const MOST_SLOTS: usize = 40;
@@ -26,14 +26,14 @@ impl Default for Corners {
 
 impl Corners {
     /// The slots of a corner, as many as there is room for.
-    pub(super) fn slots(&self, lane: usize, corner: usize, to: &mut [f32]) {
+    pub(crate) fn slots(&self, lane: usize, corner: usize, to: &mut [f32]) {
         for (to, from) in to.iter_mut().zip(&self.slots) {
             *to = from[corner % 3][lane % GROUP];
         }
     }
 
     /// The vertex at a corner, as far as planes depend on it.
-    pub(super) fn vertex(&self, lane: usize, corner: usize) -> Vertex {
+    pub(crate) fn vertex(&self, lane: usize, corner: usize) -> Vertex {
         let [w, x, y, z] = self.place[corner].map(|lanes| lanes[lane]);
         let snapped = self.snapped[corner].map(|lanes| lanes[lane]);
         Vertex { clip: [0.0, 0.0, 0.0, w], window: [x, y, z], snapped, ..Vertex::default() }

@@ -1,9 +1,9 @@
 //! A piece of a long Begin/End that another thread is to set up: vertices as they were given, and all that is needed to make
 //! primitives of them.
 
-use super::lane::{Lane, SourceDraw};
+use super::draw_worker::{Lane, SourceDraw};
 use super::plan::VertexPlan;
-use super::store::Store;
+use super::vertex_store::Store;
 use crate::enums::GLenum;
 use crate::raster::{Builder, SetUp, Shader};
 use crate::simd::{LANES, Level};

@@ -2,12 +2,12 @@
 //! perspective division and the viewport, all in f64, and the snap to 1/256 pixel. The snap rounds the offset from the
 //! viewport's centre, so that moving the viewport by whole pixels moves every vertex by exactly as much.
 
-use super::batch::VertexBatch;
-use super::plan::VertFn;
-use super::uniforms::{Columns, VertexUniforms, ViewportNumbers};
 use crate::num;
 use crate::raster::vertex::{Place, outcode};
 use crate::simd::{LANES, stage};
+use crate::vertex::batch::VertexBatch;
+use crate::vertex::plan::VertFn;
+use crate::vertex::uniforms::{Columns, VertexUniforms, ViewportNumbers};
 
 /// Windows positions with a greater absolute coordinate are outside the guard band.
 pub const GUARD_BAND: f64 = 32767.0;

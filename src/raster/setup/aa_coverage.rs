@@ -10,11 +10,11 @@
 //!     /____:_______:_______:_______:_/     y - 1/2
 //! ```
 
-use super::geometry::{Context, Cover, Geometry, index};
 use super::line::Segment;
-use super::setup::{Triangle, relative_snapped};
-use super::state::{Mode, Rect};
+use super::triangle::{Triangle, relative_snapped};
 use crate::num::floor_f64_to_int;
+use crate::raster::geometry::{Context, Cover, Geometry, index};
+use crate::raster::state::{Mode, Rect};
 
 /// A convex outline of three or four corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,7 +150,7 @@ fn cut(polygon: &[[f64; 2]; CORNERS], count: usize, height: f64) -> ([[f64; 2]; 
 
 impl Geometry {
     /// Files a smooth filled triangle.
-    pub(super) fn smooth_triangle(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool) {
+    pub(crate) fn smooth_triangle(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool) {
         if area == 0 {
             return;
         }
@@ -171,7 +171,7 @@ impl Geometry {
     }
 
     /// Files a smooth line: one rectangle, or one for each run of ones of the stipple.
-    pub(super) fn smooth_line(&mut self, cx: &Context, s: &Segment, stipple: &mut u32) {
+    pub(crate) fn smooth_line(&mut self, cx: &Context, s: &Segment, stipple: &mut u32) {
         let planes = self.line_planes(cx, s);
         let [a, b] = s.v.map(|v| relative_snapped(v.head.snapped, planes.origin));
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);

@@ -1,7 +1,7 @@
 //! Texture coordinates of a primitive (OpenGL 1.5, sections 3.5.1 and 3.8.8): q in place of w, whole periods taken off,
 //! and the question whether f32 is enough to evaluate them.
 
-use super::plane::{Basis, Recipe, Values, constant};
+use super::planes::{Basis, Recipe, Values, constant};
 use super::weights::Weights;
 use crate::fragment::planes::{Linear, Plane, UnitSlots};
 use crate::num::round_f64;
@@ -10,7 +10,7 @@ impl Recipe {
     /// Coordinates of a unit: q, periods, and whether f64 is needed, as it is for all units without q where `wide_w` says
     /// so of w.
     #[inline]
-    pub(super) fn unit(
+    pub(crate) fn unit(
         &self,
         basis: &Basis,
         weights: &Weights,
@@ -53,7 +53,7 @@ impl Recipe {
 }
 
 /// An f32 evaluation is off by about 2^-23 of the terms it adds, in texels; 2^-11 texel is what may be lost.
-pub(super) const LIMIT: f64 = 4096.0;
+pub(crate) const LIMIT: f64 = 4096.0;
 
 /// A unit's q at the corners.
 fn corners_q(slots: &UnitSlots, values: &Values) -> [f64; 3] {
@@ -105,7 +105,7 @@ fn floor(x: f64) -> f64 {
 
 /// What whole periods come to that can be taken off a value.
 #[inline(always)]
-pub(super) fn whole_periods(c: f64, period: u8) -> f64 {
+pub(crate) fn whole_periods(c: f64, period: u8) -> f64 {
     match period {
         0 => 0.0,
         1 => floor(c),
@@ -126,7 +126,7 @@ fn take_period_off(plane: &mut Plane, period: u8) {
 }
 
 /// How large, against the value at the corners, the terms of a denominator become.
-pub(super) fn denominator_error(basis: &Basis, d: &Linear, r: [f64; 3]) -> f64 {
+pub(crate) fn denominator_error(basis: &Basis, d: &Linear, r: [f64; 3]) -> f64 {
     terms(basis, d.at, d.x, d.y, r)
 }
 
@@ -203,7 +203,7 @@ fn projective(
 #[cfg(test)]
 mod tests {
     use crate::fragment::planes::{Layout, UnitSlots};
-    use crate::raster::plane::tests::planes;
+    use crate::raster::setup::planes::tests::planes;
     use crate::raster::testing::value;
 
     fn unit(has_q: bool, period: u8, size: u32) -> Layout {

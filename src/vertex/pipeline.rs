@@ -5,11 +5,11 @@
 use super::Assembled;
 use super::batch::needs;
 use super::chunk::{Chunk, consecutive};
-use super::in_step::{self, IN_STEP};
-use super::lane::{Lane, WORTH_CUTTING};
-use super::piece::Pieces;
+use super::draw_worker::{Lane, WORTH_CUTTING};
 use super::plan::{VertexPlan, Wants};
-use super::store::Store;
+use super::setup_job::Pieces;
+use super::triangle_list::{self, IN_STEP};
+use super::vertex_store::Store;
 use crate::enums::{GL_QUADS, GL_TRIANGLES, GLenum};
 use crate::fragment::planes::Layout;
 use crate::raster::{SetUp, Shader};
@@ -99,7 +99,7 @@ impl Pipe {
     pub fn begin(&mut self, mode: GLenum) {
         let n = self.lane.chunk.batch.n;
         let in_step = n == 0 || (self.limit == IN_STEP && n.is_multiple_of(3));
-        self.limit = if in_step { self.cut.min(in_step::block(mode)) } else { self.cut };
+        self.limit = if in_step { self.cut.min(triangle_list::block(mode)) } else { self.cut };
         self.inside = true;
         self.spans.push(Span { mode, begins: true, ends: false, until: n as u32 });
     }
@@ -144,7 +144,7 @@ impl Pipe {
         // Between two triangles the primitive might as well begin anew.
         *begins |= chunk.is_between();
         let batch = &mut chunk.batch;
-        if !*begins || batch.n != in_step::block(*mode) || plan.needs & needs::EDGE != 0 {
+        if !*begins || batch.n != triangle_list::block(*mode) || plan.needs & needs::EDGE != 0 {
             return false;
         }
         if store.is_empty() {

@@ -9,18 +9,18 @@
 //!        \/   diamond, so lines that meet share no pixel          (-e, -e*e), e tiny, as the specification says
 //! ```
 
-use super::VertexRef;
-use super::emit::{Emitter, Sink};
-use super::geometry::{Context, Cover, Geometry, finite, index};
-use super::plane::{Basis, Values};
-use super::setup::{relative, relative_snapped, within_limit};
-use super::state::Rect;
+use super::planes::{Basis, Values};
+use super::triangle::{relative, relative_snapped, within_limit};
 use crate::fragment::planes::Planes;
+use crate::raster::VertexRef;
+use crate::raster::emit::{Emitter, Sink};
+use crate::raster::geometry::{Context, Cover, Geometry, finite, index};
+use crate::raster::state::Rect;
 use std::ops::Range;
 
 /// A line on its way to being filed.
 #[derive(Clone, Copy)]
-pub(super) struct Segment<'a> {
+pub(crate) struct Segment<'a> {
     pub v: [VertexRef<'a>; 2],
     pub provoking: &'a [f32],
     /// Whether the colours of back faces are taken (boundary edges of polygons).
@@ -191,7 +191,7 @@ impl Line {
 
 impl Geometry {
     /// Sets up a line and files it; the stipple counter goes on.
-    pub(super) fn line(&mut self, cx: &Context, s: &Segment, stipple: &mut u32) {
+    pub(crate) fn line(&mut self, cx: &Context, s: &Segment, stipple: &mut u32) {
         let p = s.v.map(|v| v.head.snapped);
         if !within_limit(&p) {
             return;
@@ -211,7 +211,7 @@ impl Geometry {
     }
 
     /// The planes of a line, its slots in the pool.
-    pub(super) fn line_planes(&mut self, cx: &Context, s: &Segment) -> Planes {
+    pub(crate) fn line_planes(&mut self, cx: &Context, s: &Segment) -> Planes {
         let [a, b] = s.v.map(|v| v.head);
         let (wa, wb) = (a.clip[3], b.clip[3]);
         let from = if wb > 2.0 * wa {

@@ -2,12 +2,12 @@
 //! loop over slots is a stage, compiled for each level; it works on differences from corner 0, in written order, so all
 //! levels give the same bits.
 
-use super::plane::Basis;
+use super::planes::Basis;
 use crate::fragment::planes::{Linear, Plane};
 use crate::simd::stage;
 
 /// Basis and w together: the denominator, and the corners' parts of a numerator.
-pub(super) struct Weights {
+pub(crate) struct Weights {
     pub d: Linear,
     pub affine: bool,
     pub r: [f64; 3],
@@ -23,14 +23,14 @@ pub(super) struct Weights {
 
 /// The least and the greatest of three.
 #[inline(always)]
-pub(super) fn range<T: PartialOrd + Copy>([a, b, c]: [T; 3]) -> (T, T) {
+pub(crate) fn range<T: PartialOrd + Copy>([a, b, c]: [T; 3]) -> (T, T) {
     let (low, high) = if b < a { (b, a) } else { (a, b) };
     (if c < low { c } else { low }, if c > high { c } else { high })
 }
 
 impl Weights {
     #[inline]
-    pub(super) fn new(basis: &Basis, w: [f64; 3]) -> Self {
+    pub(crate) fn new(basis: &Basis, w: [f64; 3]) -> Self {
         let [b1, b2] = basis.b;
         let [p0, p1, p2] = basis.corner;
         let reach =
@@ -90,30 +90,30 @@ impl Weights {
 /// Planes of four slots, value by value, so that they are computed by vector instructions.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(32))]
-pub(super) struct Four {
+pub(crate) struct Four {
     n0: [f64; 4],
     nx: [f64; 4],
     ny: [f64; 4],
     /// 0 for finite planes, NaN for all others.
-    pub(super) check: [f64; 4],
+    pub(crate) check: [f64; 4],
     c: [f32; 4],
     min: [f32; 4],
     max: [f32; 4],
 }
 
 impl Four {
-    pub(super) fn plane(&self, i: usize) -> Plane {
+    pub(crate) fn plane(&self, i: usize) -> Plane {
         let Self { n0, nx, ny, c, min, max, .. } = self;
         Plane { c: c[i], min: min[i], max: max[i], n0: n0[i], nx: nx[i], ny: ny[i] }
     }
 }
 
 /// Makes planes of four slots of three corners.
-pub(super) type FourFn = unsafe fn(&Weights, [&[f32; 4]; 3], &mut Four);
+pub(crate) type FourFn = unsafe fn(&Weights, [&[f32; 4]; 3], &mut Four);
 
 stage! {
     /// Planes of four slots.
-    pub(super) fn FOUR: FourFn = (weights: &Weights, slots: [&[f32; 4]; 3], out: &mut Four) {
+    pub(crate) fn FOUR: FourFn = (weights: &Weights, slots: [&[f32; 4]; 3], out: &mut Four) {
         weights.four(slots[0], slots[1], slots[2], out);
     }
 }

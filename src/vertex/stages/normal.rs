@@ -3,10 +3,10 @@
 //! RESCALE_NORMAL's factor is the length of a column of cofactors: neither divides by the determinant, so both are
 //! defined for a singular matrix too.
 
-use super::batch::VertexBatch;
-use super::plan::VertFn;
-use super::uniforms::VertexUniforms;
 use crate::simd::{LANES, stage};
+use crate::vertex::batch::VertexBatch;
+use crate::vertex::plan::VertFn;
+use crate::vertex::uniforms::VertexUniforms;
 use glam::DMat4;
 
 /// The matrix for normals as three columns.

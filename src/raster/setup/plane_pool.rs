@@ -35,12 +35,12 @@ impl Pool {
     }
 
     /// Lets go of the groups from an index on.
-    pub(super) fn drop_groups(&mut self, first: u32) {
+    pub(crate) fn drop_groups(&mut self, first: u32) {
         self.used_groups = self.used_groups.min(first as usize);
     }
 
     /// Takes groups of planes into use, of whatever contents. Returns the index of the first one with them.
-    pub(super) fn more_groups(&mut self, count: usize) -> (u32, &mut [PlaneGroup]) {
+    pub(crate) fn more_groups(&mut self, count: usize) -> (u32, &mut [PlaneGroup]) {
         let first = self.used_groups;
         self.used_groups += count;
         if self.used_groups > self.groups.len() {
@@ -62,7 +62,7 @@ impl Pool {
 
     /// Takes some more into use, of whatever contents; with them goes the place to compute them in.
     #[inline]
-    pub(super) fn more(&mut self, count: usize) -> (&mut [Plane], &mut Four) {
+    pub(crate) fn more(&mut self, count: usize) -> (&mut [Plane], &mut Four) {
         let first = self.used;
         self.used += count;
         if self.used > self.planes.len() {
