@@ -4,11 +4,13 @@
 use crate::fragment::program::{Decision, Fate};
 use crate::simd::Stage;
 use crate::state::State;
-use crate::vertex::lighting::{LIGHT_CLEAR, LIGHT_DIFFUSE, LIGHT_LOCAL, LIGHT_SPECULAR};
-use crate::vertex::normal::{NORMAL, NORMAL_UNIT};
 use crate::vertex::plan::{VertFn, VertexPlan};
-use crate::vertex::tex_coord::{GEN_EYE, GEN_NORMAL, GEN_OBJECT, GEN_REFLECTION, GEN_SPHERE, REFLECTION, TEX_MATRIX};
-use crate::vertex::transform::{EYE, EYE_POINT, POINT_DISTANCE, USER_PLANE};
+use crate::vertex::stages::lighting::{LIGHT_CLEAR, LIGHT_DIFFUSE, LIGHT_LOCAL, LIGHT_SPECULAR};
+use crate::vertex::stages::normal::{NORMAL, NORMAL_UNIT};
+use crate::vertex::stages::tex_coord::{
+    GEN_EYE, GEN_NORMAL, GEN_OBJECT, GEN_REFLECTION, GEN_SPHERE, REFLECTION, TEX_MATRIX,
+};
+use crate::vertex::stages::transform::{EYE, EYE_POINT, POINT_DISTANCE, USER_PLANE};
 
 /// A stage in words.
 struct Row {
