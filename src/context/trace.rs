@@ -4,7 +4,7 @@
 
 use super::Context;
 use crate::enums;
-use crate::fragment::words::in_one_line;
+use crate::fragment::explain::in_one_line;
 use std::fmt::{Debug, Write};
 use std::panic::Location;
 use std::sync::Arc;

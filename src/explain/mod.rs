@@ -49,7 +49,7 @@ impl Explanation {
     /// Everything in one line, for traces.
     #[must_use]
     pub fn in_one_line(&self) -> String {
-        crate::fragment::words::in_one_line(&self.decisions)
+        crate::fragment::explain::in_one_line(&self.decisions)
     }
 }
 

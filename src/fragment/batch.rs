@@ -1,7 +1,7 @@
 //! Sixty-four fragments as structures of arrays. The rasteriser appends *segments*: runs of lanes that belong to one
 //! primitive. Stages that need the primitive (interpolation) walk the segments; all others see 64 lanes.
 
-use super::detail::Ahead;
+use crate::fragment::lod_bounds::Ahead;
 use crate::simd::LANES;
 use crate::texture::batch::{Lanes, TexBatch};
 
@@ -13,7 +13,7 @@ use crate::texture::batch::{Lanes, TexBatch};
 /// lanes of the other kind (the few pixels of a small primitive) stand wherever `offset`, `dx`, `dy` of each lane say.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Segment {
-    /// Index of the primitive's [`Planes`](super::planes::Planes) in the scene.
+    /// Index of the primitive's [`Planes`](crate::fragment::planes::Planes) in the scene.
     pub prim: u32,
     /// First lane.
     pub start: u32,
@@ -30,7 +30,7 @@ pub struct Segment {
 }
 
 /// A batch of fragments. A pixel is in it at most once, unless the program says that it does not care
-/// ([`Program::reads_framebuffer`](super::program::Program::reads_framebuffer) is false).
+/// ([`Program::reads_framebuffer`](crate::fragment::program::Program::reads_framebuffer) is false).
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct FragmentBatch {

@@ -1,10 +1,10 @@
 //! The eight comparison functions of the alpha, stencil and depth tests (OpenGL 1.5, sections 4.1.4 to 4.1.6), over the
 //! lanes of a batch.
 
-use super::segments::ones;
 use crate::enums::{
     GL_ALWAYS, GL_EQUAL, GL_GEQUAL, GL_GREATER, GL_LEQUAL, GL_LESS, GL_NEVER, GL_NOTEQUAL, GLenum, name,
 };
+use crate::fragment::reference::lanes::ones;
 
 /// A comparison function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

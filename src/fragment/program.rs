@@ -2,11 +2,11 @@
 //! the state makes a no-op is left out (`build` decides); the list of what was kept and left out, with
 //! the reasons, stays with the program so that it can be explained.
 
-use super::batch::{FragmentBatch, Segment};
-use super::fill::{COLOR, DEPTH};
-use super::pack::constant;
-use super::planes::{Layout, PlanePool, Planes};
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::planes::{Layout, PlanePool, Planes};
+use crate::fragment::reference::pack::constant;
+use crate::fragment::span::long::{COLOR, DEPTH};
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::framebuffer::Band;
 use crate::simd::{LANES, Step, Tally};
 use crate::texture::env::EnvPlan;

@@ -1,13 +1,13 @@
 //! What the fragment stages are told: the numbers of the state, already in the form in which the stages use them. Which
 //! stages run is the program's matter; nothing here selects code apart from table indices.
 
-use super::batch::FragmentBatch;
-use super::blend::{Equation, Factor};
-use super::fill_linear::Shown;
-use super::fill_texels::Copied;
-use super::fill_two_units::Last;
-use super::planes::{Layout, PlanePool, Planes};
-use super::stencil::StencilOp;
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::planes::{Layout, PlanePool, Planes};
+use crate::fragment::reference::blend::{Equation, Factor};
+use crate::fragment::reference::stencil::StencilOp;
+use crate::fragment::span::nearest::Copied;
+use crate::fragment::span::sampled::Shown;
+use crate::fragment::span::two_units::Last;
 use crate::framebuffer::Band;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::texture::lod::Levels;

@@ -1,12 +1,12 @@
 //! The part of a program that makes the fragment's colour: interpolation, colour sum, fog, coverage (texturing is next
 //! door); and with it the layout, since every stage that interpolates takes its slots where it is placed.
 
-use super::super::compare::Func;
-use super::super::program::Fate;
-use super::super::uniforms::FragFn;
-use super::super::{fog, interpolate, pack};
 use super::Builder;
 use crate::enums::{GL_EXP2, GL_LINEAR, GL_SEPARATE_SPECULAR_COLOR, Named};
+use crate::fragment::compare::Func;
+use crate::fragment::program::Fate;
+use crate::fragment::reference::{fog, interpolate, pack};
+use crate::fragment::uniforms::FragFn;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::simd::Stage;

@@ -9,14 +9,15 @@ mod texturing;
 
 use store::Blending;
 
-use super::compare::Func;
-use super::interpolate::FIRST;
-use super::planes::Layout;
-use super::program::{Action, Decision, Fate, Options, Program};
-use super::stencil::StencilOp;
-use super::uniforms::{FragFn, FragUniforms, StencilUniforms};
-use super::{alpha, coordinates, depth, depth_rows, fill, fill_rows, stencil, texel};
 use crate::enums::{GL_NONE, GL_NOOP};
+use crate::fragment::compare::Func;
+use crate::fragment::planes::Layout;
+use crate::fragment::program::{Action, Decision, Fate, Options, Program};
+use crate::fragment::reference::interpolate::FIRST;
+use crate::fragment::reference::stencil::StencilOp;
+use crate::fragment::reference::{alpha, depth, env_pack, stencil, texcoord};
+use crate::fragment::span::{self, long, short};
+use crate::fragment::uniforms::{FragFn, FragUniforms, StencilUniforms};
 use crate::framebuffer::FramebufferFormat;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
@@ -107,7 +108,7 @@ impl Builder<'_> {
         let count = self.options.count_samples;
         self.program.draws_nothing = !writes_color && !tests.depth_write && !tests.stencil_write && !count;
         let needs_color = writes_color || tests.alpha.is_some();
-        self.program.raises_depth = tests.depth_write && tests.depth.is_some_and(|func| !depth_rows::coarse(func));
+        self.program.raises_depth = tests.depth_write && tests.depth.is_some_and(|func| !span::depth::coarse(func));
         // With an alpha test and no stencil the depth test may still come first, if depths are written later.
         let early = tests.alpha.is_none() && !general;
         let early_depth = !early && !general && tests.stencil.is_none() && tests.depth.is_some();
@@ -163,7 +164,7 @@ impl Builder<'_> {
             let whole = writes_color && self.program.uniforms.color_mask == u32::MAX;
             if early && whole && !count {
                 if plain {
-                    self.fill(&tests, fill::COLOR);
+                    self.fill(&tests, long::COLOR);
                 } else {
                     self.fill_textured(&tests);
                 }
@@ -192,20 +193,20 @@ impl Builder<'_> {
     /// Tells the stages of texture coordinates for whom to keep 1 / D.
     fn reciprocals(&mut self) {
         let units = self.program.layout.units;
-        let divides = |arg: u32| units.get(coordinates::unit_of(arg)).is_some_and(|u| u.is_some_and(|u| !u.has_q));
+        let divides = |arg: u32| units.get(texcoord::unit_of(arg)).is_some_and(|u| u.is_some_and(|u| !u.has_q));
         let (mut read, mut later) = (false, None::<&mut u32>);
         for action in self.program.actions.iter_mut().rev() {
             let Action::Stage(step) = action else { continue };
             if !step.id.cost().divides {
                 continue;
             }
-            if step.is(&coordinates::COORDINATES) && divides(step.arg) {
+            if step.is(&texcoord::COORDINATES) && divides(step.arg) {
                 if !read {
-                    step.arg |= coordinates::ALONE;
+                    step.arg |= texcoord::ALONE;
                 }
                 if let Some(later) = later {
-                    *later |= coordinates::AGAIN;
-                    step.arg |= coordinates::SHARED;
+                    *later |= texcoord::AGAIN;
+                    step.arg |= texcoord::SHARED;
                 }
                 later = Some(&mut step.arg);
             }
@@ -327,12 +328,12 @@ impl Builder<'_> {
     /// The depth test as the first stage.
     fn early_depth(&mut self, func: Func, write: bool, depth_write: bool) {
         let arg = (func as u32) << 1 | if write { depth::WRITE } else { 0 };
-        self.push(&depth_rows::EARLY_DEPTH, arg);
+        self.push(&span::depth::EARLY_DEPTH, arg);
         self.program.reads_framebuffer = true;
-        if depth_rows::coarse(func) {
+        if span::depth::coarse(func) {
             let step = |stage: &Stage<FragFn>| stage.step(self.level, arg);
-            self.program.hidden = Some(step(&depth_rows::HIDDEN));
-            self.program.look = depth_write.then(|| step(&depth_rows::LOOK));
+            self.program.hidden = Some(step(&span::depth::HIDDEN));
+            self.program.look = depth_write.then(|| step(&span::depth::LOOK));
             let reason = "what lies behind whole blocks fails before any depth is read";
             self.decide("coarse depth test", Fate::Kept, reason);
         } else {
@@ -347,9 +348,9 @@ impl Builder<'_> {
         }
         self.program.light = true;
         let reason = "only depth and an interpolated colour: one stage does whole runs of a row";
-        self.fill_runs(&fill::FILL, tests, color, reason);
+        self.fill_runs(&long::FILL, tests, color, reason);
         if tests.depth.is_some() && color != 0 {
-            self.fill_rows([Some(&fill_rows::ROWS_COLOR), None]);
+            self.fill_rows([Some(&short::ROWS_COLOR), None]);
         }
     }
 
@@ -360,32 +361,32 @@ impl Builder<'_> {
         }
         if self.program.uniforms.copied.is_some() {
             let reason = "only depth and texels as they are: one stage does whole runs of a row";
-            self.fill_runs(&fill::FILL_TEXELS, tests, 0, reason);
-            self.fill_rows([Some(&fill_rows::ROWS_TEXELS), None]);
+            self.fill_runs(&long::FILL_TEXELS, tests, 0, reason);
+            self.fill_rows([Some(&short::ROWS_TEXELS), None]);
         } else if self.program.uniforms.last.is_some() {
             let reason = "only depth and two linear images, multiplied: one stage does whole runs of a row";
-            self.fill_runs(&fill::FILL_TWO_UNITS, tests, 0, reason);
+            self.fill_runs(&long::FILL_TWO_UNITS, tests, 0, reason);
             self.program.levelled = self.program.uniforms.levels.iter().any(Option::is_some);
         } else if let Some(shown) = &self.program.uniforms.shown {
             let levels = self.program.uniforms.levels.get(shown.unit as usize).and_then(Option::as_ref);
             let between = match (&shown.image, shown.blend) {
                 _ if !levels.is_some_and(|levels| levels.blends) => None,
-                (Filtered::Rgb(_), None) => Some(&fill::FILL_RGB_LEVELS),
-                (Filtered::Rgba(_), None) => Some(&fill::FILL_RGBA_LEVELS),
+                (Filtered::Rgb(_), None) => Some(&long::FILL_RGB_LEVELS),
+                (Filtered::Rgba(_), None) => Some(&long::FILL_RGBA_LEVELS),
                 _ => None,
             };
             let (stage, rows) = match (&shown.image, shown.blend) {
-                (Filtered::Rgb(_), None) => (&fill::FILL_RGB, Some(&fill_rows::ROWS_RGB)),
-                (Filtered::Rgb(_), _) => (&fill::FILL_RGB_BLENDED, Some(&fill_rows::ROWS_RGB_BLENDED)),
-                (Filtered::Rgba(_), None) => (&fill::FILL_RGBA, Some(&fill_rows::ROWS_RGBA)),
-                (Filtered::Rgba(_), _) => (&fill::FILL_RGBA_BLENDED, Some(&fill_rows::ROWS_RGBA_BLENDED)),
-                (Filtered::Rgb3d(_), None) => (&fill::FILL_RGB_3D, None),
+                (Filtered::Rgb(_), None) => (&long::FILL_RGB, Some(&short::ROWS_RGB)),
+                (Filtered::Rgb(_), _) => (&long::FILL_RGB_BLENDED, Some(&short::ROWS_RGB_BLENDED)),
+                (Filtered::Rgba(_), None) => (&long::FILL_RGBA, Some(&short::ROWS_RGBA)),
+                (Filtered::Rgba(_), _) => (&long::FILL_RGBA_BLENDED, Some(&short::ROWS_RGBA_BLENDED)),
+                (Filtered::Rgb3d(_), None) => (&long::FILL_RGB_3D, None),
                 _ => return,
             };
             let rows_between = match (&shown.image, between) {
                 (_, None) => None,
-                (Filtered::Rgb(_), _) => Some(&fill_rows::ROWS_RGB_LEVELS),
-                _ => Some(&fill_rows::ROWS_RGBA_LEVELS),
+                (Filtered::Rgb(_), _) => Some(&short::ROWS_RGB_LEVELS),
+                _ => Some(&short::ROWS_RGBA_LEVELS),
             };
             self.fill_runs(stage, tests, 0, "only depth and one linear image: one stage does whole runs of a row");
             let arg = self.program.fill.map_or(0, |step| step.arg);
@@ -403,7 +404,7 @@ impl Builder<'_> {
 
     fn fill_runs(&mut self, stage: &Stage<FragFn>, tests: &Tests, flags: u32, reason: &str) {
         let writes = if tests.depth_write { depth::WRITE } else { 0 };
-        let depth = tests.depth.map_or(0, |func| fill::DEPTH | (func as u32) << 1 | writes);
+        let depth = tests.depth.map_or(0, |func| long::DEPTH | (func as u32) << 1 | writes);
         self.program.fill = Some(stage.step(self.level, depth | flags));
         // Where levels are blended, they are so up to the end of a run, as a rule.
         let nearest = |levels: &Option<Levels>| levels.as_ref().is_some_and(|levels| !levels.blends);
@@ -426,7 +427,7 @@ impl Builder<'_> {
         if let Some(func) = tests.alpha {
             let stage = match (self.format.float, self.packed) {
                 (true, _) => &alpha::ALPHA_TEST_FLOAT,
-                (_, true) => &texel::ALPHA_TEST_PACKED,
+                (_, true) => &env_pack::ALPHA_TEST_PACKED,
                 _ => &alpha::ALPHA_TEST,
             };
             self.push(stage, func as u32);

@@ -1,11 +1,11 @@
 //! The end of a program: blending, logic op, colour mask and the store.
 
-use super::super::blend::{BLEND, BLEND_PACKED, BLEND_STORE, Equation, Factor, packed_pair};
-use super::super::program::{Action, Fate};
-use super::super::uniforms::BlendUniforms;
-use super::super::{float_store, logic_op, pack, texel};
 use super::Builder;
 use crate::enums::{GL_CLEAR, GL_COPY, GL_SET, Named};
+use crate::fragment::program::{Action, Fate};
+use crate::fragment::reference::blend::{BLEND, BLEND_PACKED, BLEND_STORE, Equation, Factor, packed_pair};
+use crate::fragment::reference::{env_pack, float_store, logic_op, pack};
+use crate::fragment::uniforms::BlendUniforms;
 use crate::num::clamp01;
 
 /// How a program blends.
@@ -130,10 +130,10 @@ impl Builder<'_> {
     /// Lets the last environment store its pixels itself, if it is the last stage; says whether it is so.
     fn env_store(&mut self) -> bool {
         match self.program.actions.last() {
-            Some(Action::Stage(step)) if step.is(&texel::ENV_PACK) => {
+            Some(Action::Stage(step)) if step.is(&env_pack::ENV_PACK) => {
                 let arg = step.arg;
                 self.program.actions.pop();
-                self.push(&texel::ENV_STORE, arg);
+                self.push(&env_pack::ENV_STORE, arg);
                 true
             }
             _ => false,

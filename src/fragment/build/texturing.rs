@@ -2,13 +2,13 @@
 //! environments. Where nothing but the alpha test comes between the last environment and the store, its colour is rounded
 //! as it is made, or never leaves the packed form in which the texel was stored.
 
-use super::super::fill_linear::Shown;
-use super::super::fill_texels::Copied;
-use super::super::fill_two_units::Last;
-use super::super::planes::UnitSlots;
-use super::super::program::{Action, Fate};
-use super::super::{coordinates, interpolate, texel};
 use super::{Builder, Names};
+use crate::fragment::planes::UnitSlots;
+use crate::fragment::program::{Action, Fate};
+use crate::fragment::reference::{env_pack, interpolate, texcoord};
+use crate::fragment::span::nearest::Copied;
+use crate::fragment::span::sampled::Shown;
+use crate::fragment::span::two_units::Last;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::texture::Env;
 use crate::texture::env::combine::{Function, Half, Operand, Source};
@@ -26,29 +26,29 @@ type Bases = [Option<BaseFormat>; MAX_TEXTURE_UNITS];
 enum Leaves {
     /// As floats.
     Floats,
-    /// As the texels that the one sampler found; the number is that of [`texel::PACK_TEXEL`].
+    /// As the texels that the one sampler found; the number is that of [`env_pack::PACK_TEXEL`].
     Texels(u32),
-    /// Rounded by the last unit's environment; the number is that of [`texel::ENV_PACK`]. The steps of colour and alpha where
+    /// Rounded by the last unit's environment; the number is that of [`env_pack::ENV_PACK`]. The steps of colour and alpha where
     /// that is the only environment and there is no alpha test.
-    Packed { unit: usize, number: u32, steps: Option<[texel::Step; 2]> },
+    Packed { unit: usize, number: u32, steps: Option<[env_pack::Step; 2]> },
 }
 
 /// What a half of an environment does, if it is one of the steps that can round at once. `operands` are those that read
 /// the half's own channels.
-fn step(half: &Half, unit: usize, operands: &[Operand]) -> Option<texel::Step> {
+fn step(half: &Half, unit: usize, operands: &[Operand]) -> Option<env_pack::Step> {
     let args = half.args.get(..half.function.arity())?;
     if half.scale != 1.0 || !args.iter().all(|a| operands.contains(&a.operand)) {
         return None;
     }
     let texel = Source::Texture(unit);
     match (half.function, args) {
-        (Function::Replace, [a]) if a.source == texel => Some(texel::Step::Texel),
-        (Function::Replace, [a]) if a.source == Source::Previous => Some(texel::Step::Stays),
+        (Function::Replace, [a]) if a.source == texel => Some(env_pack::Step::Texel),
+        (Function::Replace, [a]) if a.source == Source::Previous => Some(env_pack::Step::Stays),
         (Function::Modulate, [a, b])
             if [a.source, b.source] == [texel, Source::Previous]
                 || [a.source, b.source] == [Source::Previous, texel] =>
         {
-            Some(texel::Step::Product)
+            Some(env_pack::Step::Product)
         }
         _ => None,
     }
@@ -82,7 +82,7 @@ impl Builder<'_> {
         }
         let leaves = if untouched { self.leaves(&mut samplers, alpha_test) } else { Leaves::Floats };
         let reads_primary = match leaves {
-            Leaves::Texels(number) => number & texel::PRIMARY_ALPHA != 0,
+            Leaves::Texels(number) => number & env_pack::PRIMARY_ALPHA != 0,
             _ => self.reads_primary(&bases) || self.options.general,
         };
         if reads_primary {
@@ -137,8 +137,8 @@ impl Builder<'_> {
             return;
         };
         // Alpha of the last one is 1 everywhere.
-        let multiplies = color == texel::Step::Product && alpha != texel::Step::Texel;
-        if !multiplies || number & texel::TESTED != 0 || last.1.levels.is_some() {
+        let multiplies = color == env_pack::Step::Product && alpha != env_pack::Step::Texel;
+        if !multiplies || number & env_pack::TESTED != 0 || last.1.levels.is_some() {
             return;
         }
         if let (Some(image @ Filtered::Rgb(_)), Some(Filtered::Rgb(other))) = (first.1.filters(), last.1.filters()) {
@@ -193,8 +193,8 @@ impl Builder<'_> {
         let derivatives = sampler.needs.derivatives || self.options.general;
         // A unit with q does not need 1 / D and leaves it to a later stage.
         let first = if has_q { 0 } else { self.first() };
-        let flags = first | if derivatives { coordinates::DERIVATIVES } else { 0 };
-        self.push(&coordinates::COORDINATES, flags | (unit as u32) << 2);
+        let flags = first | if derivatives { texcoord::DERIVATIVES } else { 0 };
+        self.push(&texcoord::COORDINATES, flags | (unit as u32) << 2);
         let q = if has_q { "divided by q" } else { "q is 1" };
         let d = if derivatives { "with derivatives" } else { "no derivatives, the level cannot differ" };
         self.decide(format_args!("unit {unit} coordinates"), Fate::Kept, format_args!("{count} of s, t, r, {q}, {d}"));
@@ -230,7 +230,7 @@ impl Builder<'_> {
         let end = match leaves {
             Leaves::Texels(number) => {
                 self.packed = true;
-                self.push(&texel::PACK_TEXEL, number);
+                self.push(&env_pack::PACK_TEXEL, number);
                 self.decide(
                     "environments",
                     Fate::LeftOut,
@@ -249,7 +249,7 @@ impl Builder<'_> {
         }
         if let Leaves::Packed { unit, number, .. } = leaves {
             self.packed = true;
-            self.push(&texel::ENV_PACK, number);
+            self.push(&env_pack::ENV_PACK, number);
             self.decide(
                 format_args!("unit {unit} environment"),
                 Fate::Hoisted,
@@ -259,7 +259,7 @@ impl Builder<'_> {
     }
 
     /// What a unit's environment does with colour and alpha, if that is so simple. Bit u of `enabled`: unit u has a texture.
-    fn steps(&self, unit: usize, sampler: &Sampler, enabled: u32) -> Option<[texel::Step; 2]> {
+    fn steps(&self, unit: usize, sampler: &Sampler, enabled: u32) -> Option<[env_pack::Step; 2]> {
         let state = self.state.texture.units.get(unit)?;
         let form = combine(&state.env, sampler.base, unit, |t| t < 32 && enabled >> t & 1 != 0);
         let color = step(&form.rgb, unit, &[Operand::Color])?;
@@ -274,19 +274,19 @@ impl Builder<'_> {
         let Some((unit, sampler)) = samplers.last_mut() else { return Leaves::Floats };
         let unit = *unit;
         let Some([color, alpha]) = self.steps(unit, sampler, enabled) else { return Leaves::Floats };
-        let tested = if alpha_test { texel::TESTED } else { 0 };
+        let tested = if alpha_test { env_pack::TESTED } else { 0 };
         let unseen = !alpha_test && self.program.uniforms.packed_or >> 24 == 0xFF;
         let texels = match alpha {
-            texel::Step::Texel => Some(0),
+            env_pack::Step::Texel => Some(0),
             _ if unseen => Some(0),
-            texel::Step::Stays => Some(texel::PRIMARY_ALPHA),
-            texel::Step::Product => None,
+            env_pack::Step::Stays => Some(env_pack::PRIMARY_ALPHA),
+            env_pack::Step::Product => None,
         };
         match texels {
-            Some(number) if one && color == texel::Step::Texel && sampler.pack() => Leaves::Texels(number | tested),
+            Some(number) if one && color == env_pack::Step::Texel && sampler.pack() => Leaves::Texels(number | tested),
             _ => {
-                let later = if one { 0 } else { texel::LATER };
-                let number = texel::env_pack(unit, [color, alpha], later | tested);
+                let later = if one { 0 } else { env_pack::LATER };
+                let number = env_pack::env_pack(unit, [color, alpha], later | tested);
                 Leaves::Packed { unit, number, steps: (later | tested == 0).then_some([color, alpha]) }
             }
         }

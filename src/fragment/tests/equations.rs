@@ -347,8 +347,9 @@ fn a_program_says_what_it_does() {
     let plain = program(Level::Baseline, &State::default(), &format, Options::default());
     assert_eq!(plain.stage_names(), ["BEGIN", "COLOR_STORE"]);
     assert!(!plain.reads_framebuffer && !plain.draws_nothing);
-    let fate =
-        |p: &super::super::program::Program, stage: &str| p.decisions.iter().find(|d| d.stage == stage).map(|d| d.fate);
+    let fate = |p: &crate::fragment::program::Program, stage: &str| {
+        p.decisions.iter().find(|d| d.stage == stage).map(|d| d.fate)
+    };
     for stage in ["alpha test", "stencil test", "depth test", "texturing", "fog", "colour sum", "blending", "logic op"]
     {
         assert_eq!(fate(&plain, stage), Some(Fate::LeftOut), "{stage}\n{}", plain.explain());

@@ -1,12 +1,12 @@
 //! Interpolation against f64, texture coordinates and their derivatives, and invariance under whole-pixel moves.
 
-use super::super::batch::{FragmentBatch, Segment};
-use super::super::coordinates::{COORDINATES, DERIVATIVES};
-use super::super::interpolate::FIRST;
-use super::super::planes::{Layout, Linear, Plane, PlanePool, Planes, UnitSlots};
-use super::super::uniforms::{FragUniforms, Work};
 use super::{Feed, Random, Scene, contents, draw, program};
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::planes::{Layout, Linear, Plane, PlanePool, Planes, UnitSlots};
 use crate::fragment::program::Options;
+use crate::fragment::reference::interpolate::FIRST;
+use crate::fragment::reference::texcoord::{COORDINATES, DERIVATIVES};
+use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;

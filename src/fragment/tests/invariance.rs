@@ -1,8 +1,8 @@
 //! The same bytes whatever is left out, however the fragments come, at every level; and no panic whatever comes.
 
-use super::super::planes::{Linear, Plane, Planes};
 use super::{FACTORS, Feed, Random, Scene, contents, draw, program};
 use crate::enums::*;
+use crate::fragment::planes::{Linear, Plane, Planes};
 use crate::fragment::program::Options;
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
 use crate::simd::Level;

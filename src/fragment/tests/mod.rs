@@ -6,10 +6,10 @@ mod interpolation;
 mod invariance;
 mod textured;
 
-use super::batch::{FragmentBatch, Segment};
-use super::planes::{Linear, Plane, Planes};
-use super::program::{Options, Program};
 use crate::enums::*;
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::planes::{Linear, Plane, Planes};
+use crate::fragment::program::{Options, Program};
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
 use crate::simd::{LANES, Level};
 use crate::state::State;
@@ -236,5 +236,5 @@ fn lanes_are_aligned() {
     {
         assert_eq!(at % 64, 0);
     }
-    assert_eq!(LANES % super::segments::CHUNK, 0);
+    assert_eq!(LANES % crate::fragment::reference::lanes::CHUNK, 0);
 }

@@ -1,10 +1,10 @@
 //! Programs with textures: what is left out changes no bit either, q included, and the pieces meet at the right place.
 
-use super::super::planes::{Layout, Linear, Plane, Planes};
-use super::super::program::Program;
 use super::{Corners, Feed, Random, Scene, contents, draw, pixel};
 use crate::enums::*;
+use crate::fragment::planes::{Layout, Linear, Plane, Planes};
 use crate::fragment::program::Options;
+use crate::fragment::program::Program;
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;

@@ -2,12 +2,12 @@
 //! between them: `STENCIL_TEST` compares and notes who failed, `STENCIL_WRITE` applies the operations of the three
 //! cases (stencil failed, depth failed, both passed) and writes the bits that the mask lets through.
 
-use super::batch::FragmentBatch;
-use super::buffers::{load, places, store};
-use super::compare::{Func, any, compare};
-use super::segments::{Lane, ones};
-use super::uniforms::{FragFn, FragUniforms, Work};
 use crate::enums::{GL_DECR, GL_DECR_WRAP, GL_INCR, GL_INCR_WRAP, GL_INVERT, GL_REPLACE, GL_ZERO, GLenum};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::compare::{Func, any, compare};
+use crate::fragment::reference::lanes::{Lane, ones};
+use crate::fragment::reference::places::{load, places, store};
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
 
 /// What happens to a stencil value.
@@ -72,7 +72,7 @@ fn apply(op: StencilOp, reference: u32, mask: &[u32; LANES], s: &mut [u32; LANES
 
 stage! {
     /// Reads the stencil buffer and kills the fragments that fail.
-    pub(super) fn STENCIL_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn STENCIL_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let mut bytes = [0; LANES];
         load(places!(b), w.band.stencil, &mut bytes);
         let mut masked = [0; LANES];
@@ -87,7 +87,7 @@ stage! {
     }
 
     /// Changes the stencil buffer, for all fragments that came to the stencil test.
-    pub(super) fn STENCIL_WRITE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn STENCIL_WRITE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let s = &u.stencil;
         let (mut failed, mut depth_failed) = ([0; LANES], [0; LANES]);
         for i in 0..LANES {

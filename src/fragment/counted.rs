@@ -2,12 +2,12 @@
 //! logarithms. The stages are those of the program, run over the same batches; a program that is counted only gives up
 //! the stages that fill or skip whole runs, so that every stage can be seen.
 
-use super::batch::FragmentBatch;
-use super::coordinates::{COORDINATES, unit_of};
-use super::interpolate::FIRST;
-use super::planes::Planes;
-use super::program::{Action, Program};
-use super::uniforms::{FragFn, Work};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::planes::Planes;
+use crate::fragment::program::{Action, Program};
+use crate::fragment::reference::interpolate::FIRST;
+use crate::fragment::reference::texcoord::{COORDINATES, unit_of};
+use crate::fragment::uniforms::{FragFn, Work};
 use crate::simd::{Counters, Step, Tally};
 
 /// Lanes of a batch whose fragment is alive.
@@ -41,7 +41,7 @@ impl Program {
     }
 
     /// [`Program::run`] with every step counted.
-    pub(super) fn run_counted(&self, batch: &mut FragmentBatch, work: &mut Work<'_, '_>, tally: &Tally) {
+    pub(crate) fn run_counted(&self, batch: &mut FragmentBatch, work: &mut Work<'_, '_>, tally: &Tally) {
         Counters::with(tally, |all| {
             all.fragments += batch.tex.n as u64;
             for action in &self.actions {

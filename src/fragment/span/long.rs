@@ -3,28 +3,28 @@
 //! written, then the colour of what passed is computed and written. Blocks are of 64 pixels, the last of a run of 16.
 //! Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{self, Extent, From, Place};
-use super::batch::{FragmentBatch, Segment};
-use super::buffers::write;
-use super::compare::{Func, compare, holds, living};
-use super::coordinates::{Unit, unit};
-use super::depth::WRITE;
-use super::depth_rows::{Slope, coarse, hidden, lanes, look};
-use super::detail::{self, Reads};
-use super::fill_levels::Between;
-use super::fill_linear::{Flat, Solid};
-use super::fill_two_units::TwoImages;
-use super::interpolate::primitive;
-use super::pack::Paint;
-use super::planes::Planes;
-use super::segments::row_origin;
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::compare::{Func, compare, holds, living};
+use crate::fragment::lod_bounds::{self, Reads};
+use crate::fragment::plane_eval::{self, Extent, From, Place};
+use crate::fragment::planes::Planes;
+use crate::fragment::reference::depth::WRITE;
+use crate::fragment::reference::interpolate::primitive;
+use crate::fragment::reference::lanes::row_origin;
+use crate::fragment::reference::pack::Paint;
+use crate::fragment::reference::places::write;
+use crate::fragment::reference::texcoord::{Unit, unit};
+use crate::fragment::span::depth::{Slope, coarse, hidden, lanes, look};
+use crate::fragment::span::levels::Between;
+use crate::fragment::span::sampled::{Flat, Solid};
+use crate::fragment::span::two_units::TwoImages;
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
 use crate::texture::filter::linear_rgba8::{RGB, RGBA};
 
 /// Bits of [`FILL`]'s number above those of the depth test: depth is tested, colour is written.
-pub(super) const DEPTH: u32 = 1 << 4;
-pub(super) const COLOR: u32 = 1 << 5;
+pub(crate) const DEPTH: u32 = 1 << 4;
+pub(crate) const COLOR: u32 = 1 << 5;
 
 /// From this length on it pays to look at the depths that a run leaves behind: whole blocks, for the sake of other runs.
 const LOOK_FROM: usize = 32;
@@ -32,7 +32,7 @@ const LOOK_FROM: usize = 32;
 const SHORT: usize = 16;
 
 /// What gives a run its colours.
-pub(super) trait Source {
+pub(crate) trait Source {
     /// Whether what is there before is blended with.
     const BLENDS: bool = false;
 
@@ -204,7 +204,7 @@ fn reads<const K: usize>(
 ) -> Option<(Reads, u32)> {
     match u.levels.get(index as usize) {
         _ if left == 0 => None,
-        Some(Some(levels)) => detail::part(&mut b.ahead, index, &b.tex, unit, (x, y, left), levels),
+        Some(Some(levels)) => lod_bounds::part(&mut b.ahead, index, &b.tex, unit, (x, y, left), levels),
         _ => Some((Reads::One(0), left)),
     }
 }
@@ -218,11 +218,11 @@ fn rest(run: &Segment, done: u32, len: u32) -> Segment {
 /// So many pixels from (x, y) on.
 #[inline(always)]
 fn along(x: i32, y: i32, n: u32) -> Extent {
-    Extent::Row(along::Run { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y })
+    Extent::Row(plane_eval::Run { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y })
 }
 
 /// What gives the parts of a run that read the same levels of one unit's image their pixels.
-pub(super) trait Parts<const K: usize> {
+pub(crate) trait Parts<const K: usize> {
     /// The pixels of a part.
     type Source: Source;
 
@@ -234,7 +234,7 @@ pub(super) trait Parts<const K: usize> {
 }
 
 /// A part of a primitive.
-pub(super) struct Part<'a, const K: usize> {
+pub(crate) struct Part<'a, const K: usize> {
     pub segment: Segment,
     pub extent: Extent,
     pub unit: Unit<'a, K>,
@@ -275,7 +275,7 @@ fn parts<const K: usize, P: Parts<K>>(
 stage! {
     /// The run of the first segment; leaves in `tex.n` how many of its pixels it has done. The rest, which is at the end of
     /// the buffers or of a primitive whose planes need `f64`, must go through batches.
-    pub(super) fn FILL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         b.tex.n = 0;
         let segment = b.segments[0];
         let Some(planes) = w.planes.get(segment.prim as usize) else { return };
@@ -306,47 +306,47 @@ stage! {
 
     /// The same with the nearest texel of one image in the place of a colour. What it does not do (at the end of the
     /// buffers, or coordinates far from 0) must go through batches.
-    pub(super) fn FILL_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.copied.as_ref());
     }
 
     /// The same with what one linearly filtered image shows: three channels in two dimensions.
-    pub(super) fn FILL_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
     }
 
     /// [`FILL_RGB`] with four channels.
-    pub(super) fn FILL_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
     }
 
     /// [`FILL_RGB`] in three dimensions.
-    pub(super) fn FILL_RGB_3D: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_RGB_3D: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Solid::of));
     }
 
     /// [`FILL_RGB`] with blending.
-    pub(super) fn FILL_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
     }
 
     /// [`FILL_RGBA`] with blending.
-    pub(super) fn FILL_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
     }
 
     /// [`FILL_RGB`] of two units, and between levels.
-    pub(super) fn FILL_TWO_UNITS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_TWO_UNITS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, TwoImages::of(u));
     }
 
     /// What [`FILL_RGB`] leaves of a run because two levels are blended.
-    pub(super) fn FILL_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
     }
 
     /// What [`FILL_RGBA`] leaves of a run because two levels are blended.
-    pub(super) fn FILL_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FILL_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         parts(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
     }
 }

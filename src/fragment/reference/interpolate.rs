@@ -1,21 +1,21 @@
 //! Interpolation of colours and fog coordinates (OpenGL 1.5, sections 3.4.1, 3.5.1): every slot's plane is evaluated at
-//! the pixel, as `clamp(c + N / D, min, max)` (see [`planes`](super::planes)). D is shared by all slots, so 1 / D is kept
+//! the pixel, as `clamp(c + N / D, min, max)` (see [`planes`](crate::fragment::planes)). D is shared by all slots, so 1 / D is kept
 //! for the stages that follow.
 
-use super::batch::{FragmentBatch, Segment};
-use super::planes::{GROUP, Plane, PlaneGroup, Planes};
-use super::segments::{
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::planes::{GROUP, Plane, PlaneGroup, Planes};
+use crate::fragment::reference::lanes::{
     CHUNK, Chunk, Piece, Positions, Row, Rows, chunk, linear, linear64, one_primitive, pieces, positions, put,
     single_row,
 };
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::clamp_f32;
 use crate::simd::{Cost, LANES, stage};
 use crate::texture::batch::Lanes;
 
 /// 1 / D with one Newton step in `f64`: what the planes of wide primitives are multiplied with.
 #[inline(always)]
-pub(super) fn reciprocal64(d: f64) -> f64 {
+pub(crate) fn reciprocal64(d: f64) -> f64 {
     let r = f64::from(1.0 / d as f32);
     r * (2.0 - d * r)
 }
@@ -40,7 +40,7 @@ fn reciprocal(planes: &Planes, dx: &Chunk, dy: &Chunk) -> Chunk {
 
 /// The value of a plane at the lanes of a piece.
 #[inline(always)]
-pub(super) fn value(p: &Plane, wide: bool, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
+pub(crate) fn value(p: &Plane, wide: bool, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
     let mut n = linear(p.n0 as f32, p.nx as f32, p.ny as f32, dx, dy);
     if wide {
         for i in 0..CHUNK {
@@ -55,7 +55,7 @@ pub(super) fn value(p: &Plane, wide: bool, dx: &Chunk, dy: &Chunk, rw: &Chunk) -
 
 /// The same for a member of a group.
 #[inline(always)]
-pub(super) fn value_of_member(p: &PlaneGroup, member: usize, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
+pub(crate) fn value_of_member(p: &PlaneGroup, member: usize, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
     let at = member % GROUP;
     let mut n = linear(p.n0[at], p.nx[at], p.ny[at], dx, dy);
     for i in 0..CHUNK {
@@ -66,7 +66,7 @@ pub(super) fn value_of_member(p: &PlaneGroup, member: usize, dx: &Chunk, dy: &Ch
 
 /// The group of a primitive that is in one, for its slots from `slot` on, and which one it is of the group.
 #[inline(always)]
-pub(super) fn group<'a, const K: usize>(
+pub(crate) fn group<'a, const K: usize>(
     work: &Work<'a, '_>,
     planes: &Planes,
     slot: usize,
@@ -78,7 +78,7 @@ pub(super) fn group<'a, const K: usize>(
 
 /// The primitive of a segment, which is in no group, and the planes of its slots from `slot` on.
 #[inline(always)]
-pub(super) fn primitive<'a, const K: usize>(
+pub(crate) fn primitive<'a, const K: usize>(
     work: &Work<'a, '_>,
     segment: &Segment,
     slot: usize,
@@ -93,7 +93,7 @@ pub(super) fn primitive<'a, const K: usize>(
 
 /// Makes sure that `rw` holds 1 / D: `first` is whether this stage is the first to need it.
 #[inline(always)]
-pub(super) fn reciprocals(
+pub(crate) fn reciprocals(
     lanes: &mut Lanes,
     planes: &Planes,
     first: bool,
@@ -215,29 +215,29 @@ macro_rules! slots {
 }
 
 /// The cost of stages that multiply with 1 / D.
-pub(super) const DIVIDES: Cost = Cost { divides: true, ..Cost::NONE };
+pub(crate) const DIVIDES: Cost = Cost { divides: true, ..Cost::NONE };
 
 /// Bit of a stage's number: the stage is the first that needs 1 / D.
-pub(super) const FIRST: u32 = 1;
+pub(crate) const FIRST: u32 = 1;
 
 stage! {
     /// The primary colour, as the fragment's colour.
-    pub(super) fn COLOR: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn COLOR: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.color, arg, &mut b.tex.previous);
     }
 
     /// The primary colour for texture environments, which read it by name or as what comes before the first unit.
-    pub(super) fn PRIMARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn PRIMARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.color, arg, &mut b.tex.primary);
     }
 
     /// The secondary colour.
-    pub(super) fn SECONDARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn SECONDARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.secondary, arg, &mut b.secondary);
     }
 
     /// The fog coordinate.
-    pub(super) fn FOG_COORDINATE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn FOG_COORDINATE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.fog, arg, std::array::from_mut(&mut b.fog));
     }
 }

@@ -1,19 +1,19 @@
 //! Runs of a row, of any length, of programs that test depth and store what the environment of one linearly filtered 8-bit
-//! image gives (OpenGL 1.5, sections 3.8.8 and 3.8.13): what [`fill`](super::fill) does for interpolated colours. Coordinates,
+//! image gives (OpenGL 1.5, sections 3.8.8 and 3.8.13): what [`fill`](crate::fragment::span::long) does for interpolated colours. Coordinates,
 //! wraps, fetch, filter, environment, rounding and store follow each other block by block, without a batch in between. Every
 //! number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Along, Divisor, Extent, Form, Place, Terms, range};
-use super::batch::Segment;
-use super::blend::pair;
-use super::coordinates::Unit;
-use super::detail::Reads;
-use super::fill::{Part, Parts, Source};
-use super::interpolate::primitive;
-use super::pack::{whole, whole_pixel};
-use super::planes::{Plane, Planes};
-use super::texel::Step;
-use super::uniforms::{FragUniforms, Work};
+use crate::fragment::batch::Segment;
+use crate::fragment::lod_bounds::Reads;
+use crate::fragment::plane_eval::{Along, Divisor, Extent, Form, Place, Terms, range};
+use crate::fragment::planes::{Plane, Planes};
+use crate::fragment::reference::blend::pair;
+use crate::fragment::reference::env_pack::Step;
+use crate::fragment::reference::interpolate::primitive;
+use crate::fragment::reference::pack::{whole, whole_pixel};
+use crate::fragment::reference::texcoord::Unit;
+use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
 use crate::texture::filter::linear_rgba8::{self, CHUNK, Indices, Pairs, RGB};
 use crate::texture::uniforms::{MipLevel, WrappedImage};
@@ -28,9 +28,9 @@ pub struct Shown {
     /// The image.
     pub image: Filtered,
     /// What becomes of the colour, and of alpha.
-    pub(super) steps: [Step; 2],
+    pub(crate) steps: [Step; 2],
     /// The number of the pair of factors by which the outcome is blended, if it is.
-    pub(super) blend: Option<u32>,
+    pub(crate) blend: Option<u32>,
 }
 
 /// Where a channel comes from besides the texel.
@@ -47,9 +47,9 @@ enum Primary {
 }
 
 /// What the environment makes of texels along a row.
-pub(super) struct Environment {
+pub(crate) struct Environment {
     /// Planes by which red, green and blue are multiplied, if they are.
-    pub(super) color: Option<[Along<f32>; 3]>,
+    pub(crate) color: Option<[Along<f32>; 3]>,
     alpha: Primary,
     /// Bits that are set in each pixel.
     or: u32,
@@ -58,7 +58,7 @@ pub(super) struct Environment {
 }
 
 /// An image that is filtered along a row.
-pub(super) struct Level<'a, const K: usize> {
+pub(crate) struct Level<'a, const K: usize> {
     wraps: [bounded::Form; K],
     level: &'a MipLevel,
 }
@@ -66,7 +66,7 @@ pub(super) struct Level<'a, const K: usize> {
 impl<'a, const K: usize> Level<'a, K> {
     /// A level of an image; `None` where the simple wraps are not enough for the coordinates of a unit.
     #[inline(always)]
-    pub(super) fn new(image: &'a WrappedImage<K>, level: u32, unit: &Unit<'_, K>) -> Option<Self> {
+    pub(crate) fn new(image: &'a WrappedImage<K>, level: u32, unit: &Unit<'_, K>) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
         let mut wraps = [bounded::Form::Limited; K];
         for k in 0..K {
@@ -78,7 +78,7 @@ impl<'a, const K: usize> Level<'a, K> {
 
     /// The texels at these coordinates, filtered, times k.
     #[inline(always)]
-    pub(super) fn texels<const ROWS: usize, const FORMAT: u8, const N: usize>(
+    pub(crate) fn texels<const ROWS: usize, const FORMAT: u8, const N: usize>(
         &self,
         coordinates: &[[f32; N]; K],
         k: f32,
@@ -107,7 +107,7 @@ impl<'a, const K: usize> Level<'a, K> {
 }
 
 /// What all blocks of a run need.
-pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> {
+pub(crate) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> {
     form: Form<K>,
     repeats: [bool; K],
     level: Level<'a, K>,
@@ -118,7 +118,7 @@ pub(super) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8
 
 /// 1 / D.
 #[inline(always)]
-pub(super) fn divided<const N: usize>(d: &Divisor<f32>, place: impl Place<N>, rw: &mut [f32; N]) {
+pub(crate) fn divided<const N: usize>(d: &Divisor<f32>, place: impl Place<N>, rw: &mut [f32; N]) {
     for i in 0..N {
         rw[i] = 1.0 / place.sum(d, i);
     }
@@ -126,7 +126,7 @@ pub(super) fn divided<const N: usize>(d: &Divisor<f32>, place: impl Place<N>, rw
 
 /// The values of a plane from x on; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
 #[inline(always)]
-pub(super) fn primary<const N: usize>(p: &Along<f32>, place: impl Place<N>, rw: &[f32; N], even: bool) -> [f32; N] {
+pub(crate) fn primary<const N: usize>(p: &Along<f32>, place: impl Place<N>, rw: &[f32; N], even: bool) -> [f32; N] {
     let mut out = [0.0; N];
     if even {
         for i in 0..N {
@@ -185,7 +185,7 @@ impl Environment {
 
     /// [`Environment::new`] for a part of a primitive; `None` as well where something is interpolated that needs `f64`.
     #[inline(always)]
-    pub(super) fn of_run<const FORMAT: u8, const K: usize>(
+    pub(crate) fn of_run<const FORMAT: u8, const K: usize>(
         u: &FragUniforms,
         w: &Work<'_, '_>,
         segment: &Segment,
@@ -201,7 +201,7 @@ impl Environment {
 
     /// D, if coordinates (`divides`) or what is interpolated here are divided by it in `f32`.
     #[inline(always)]
-    pub(super) fn divisor(&self, divides: bool, planes: &Planes, extent: Extent) -> Option<Divisor<f32>> {
+    pub(crate) fn divisor(&self, divides: bool, planes: &Planes, extent: Extent) -> Option<Divisor<f32>> {
         ((divides || self.interpolates()) && !planes.affine).then(|| Terms::new(&planes.d, extent.row()))
     }
 
@@ -212,7 +212,7 @@ impl Environment {
 
     /// The pixels of texels in 0..=1; `rw` is 1 / D, or 1 where `even` says that w is the same everywhere.
     #[inline(always)]
-    pub(super) fn pixels<const N: usize, const BLENDED: bool>(
+    pub(crate) fn pixels<const N: usize, const BLENDED: bool>(
         &self,
         texels: &mut [[f32; N]; 4],
         place: impl Place<N>,
@@ -262,12 +262,12 @@ impl Environment {
 }
 
 /// Two dimensions.
-pub(super) struct Flat<'a, const FORMAT: u8, const BLENDED: bool>(&'a Shown, &'a WrappedImage<2>);
+pub(crate) struct Flat<'a, const FORMAT: u8, const BLENDED: bool>(&'a Shown, &'a WrappedImage<2>);
 
 impl<'a, const FORMAT: u8, const BLENDED: bool> Flat<'a, FORMAT, BLENDED> {
     /// The image that is shown.
     #[inline(always)]
-    pub(super) fn of(shown: &'a Shown) -> Option<Self> {
+    pub(crate) fn of(shown: &'a Shown) -> Option<Self> {
         Some(Self(shown, shown.image.flat()?))
     }
 }
@@ -287,12 +287,12 @@ impl<'a, const FORMAT: u8, const BLENDED: bool> Parts<2> for Flat<'a, FORMAT, BL
 }
 
 /// Three dimensions.
-pub(super) struct Solid<'a>(&'a Shown, &'a WrappedImage<3>);
+pub(crate) struct Solid<'a>(&'a Shown, &'a WrappedImage<3>);
 
 impl<'a> Solid<'a> {
     /// The image that is shown.
     #[inline(always)]
-    pub(super) fn of(shown: &'a Shown) -> Option<Self> {
+    pub(crate) fn of(shown: &'a Shown) -> Option<Self> {
         match &shown.image {
             Filtered::Rgb3d(image) => Some(Self(shown, image)),
             _ => None,

@@ -1,6 +1,6 @@
 //! A program's decisions in words: as a table, or in one line for traces.
 
-use super::program::{Decision, Fate, Program};
+use crate::fragment::program::{Decision, Fate, Program};
 
 /// Which stages are kept, hoisted and left out, in one line.
 #[must_use]

@@ -1,13 +1,13 @@
 //! Logical operations (OpenGL 1.5, section 4.1.10) between the bits of the fragment's packed colour and those of the pixel.
 //! They take the place of blending. Float buffers have no bits to combine: there the fragment's colour is stored.
 
-use super::batch::FragmentBatch;
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
 
 stage! {
     /// The operation whose enumerant is GL_CLEAR plus the stage's number.
-    pub(super) fn LOGIC_OP: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn LOGIC_OP: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         // Bit 0 of the operation's number is what (s, d) = (1, 1) gives, bit 1 (1, 0), bit 2 (0, 1), bit 3 (0, 0): GL
         // has numbered the operations by their truth tables.
         let bit = |k: u32| ((arg >> k) & 1).wrapping_neg();

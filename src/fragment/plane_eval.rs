@@ -1,12 +1,12 @@
 //! Texture coordinates along a row, for stages that do whole runs: what is the same for all of a run is worked out once.
-//! Every number comes from the same expressions as in [`coordinates`](super::coordinates) and [`wide`](super::wide), so the
+//! Every number comes from the same expressions as in [`coordinates`](crate::fragment::reference::texcoord) and [`wide`](crate::fragment::reference::texcoord_f64), so the
 //! bits are the same.
 
-use super::coordinates::Unit;
-use super::interpolate::reciprocal64;
-use super::planes::{Linear, Plane};
-use super::segments::IOTA;
-use super::wide::{rest, without_periods};
+use crate::fragment::planes::{Linear, Plane};
+use crate::fragment::reference::interpolate::reciprocal64;
+use crate::fragment::reference::lanes::IOTA;
+use crate::fragment::reference::texcoord::Unit;
+use crate::fragment::reference::texcoord_f64::{rest, without_periods};
 use crate::num::{clamp_f32, max_f32};
 use crate::texture::wrap::bounded::Range;
 
@@ -15,7 +15,7 @@ const LOST: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// A linear function of the place, `(at + y dy) + x dx`; along a row y is among the rest.
 #[derive(Clone, Copy)]
-pub(super) struct Terms<T> {
+pub(crate) struct Terms<T> {
     at: T,
     x: T,
     y: T,
@@ -24,7 +24,7 @@ pub(super) struct Terms<T> {
 impl Terms<f32> {
     /// In a row, if there is one, and rounded.
     #[inline(always)]
-    pub(super) fn new(f: &Linear, row: Option<f32>) -> Self {
+    pub(crate) fn new(f: &Linear, row: Option<f32>) -> Self {
         let (at, x, y) = (f.at as f32, f.x as f32, f.y as f32);
         match row {
             Some(row) => Self { at: at + y * row, x, y: 0.0 },
@@ -44,7 +44,7 @@ impl Terms<f64> {
 }
 
 /// Where N pixels are, relative to the primitive's origin.
-pub(super) trait Place<const N: usize>: Copy {
+pub(crate) trait Place<const N: usize>: Copy {
     /// A function at lane i.
     fn sum(self, f: &Terms<f32>, i: usize) -> f32;
     /// The same in `f64`.
@@ -53,7 +53,7 @@ pub(super) trait Place<const N: usize>: Copy {
 
 /// Pixels of a row from this x on.
 #[derive(Clone, Copy)]
-pub(super) struct From(pub f32);
+pub(crate) struct From(pub f32);
 
 impl<const N: usize> Place<N> for From {
     #[inline(always)]
@@ -69,7 +69,7 @@ impl<const N: usize> Place<N> for From {
 
 /// Pixels of a row from this x on and with this y, where functions are not those of the row.
 #[derive(Clone, Copy)]
-pub(super) struct Step {
+pub(crate) struct Step {
     pub x: f32,
     pub y: f32,
 }
@@ -87,7 +87,7 @@ impl<const N: usize> Place<N> for Step {
 }
 
 /// Pixels anywhere.
-pub(super) struct Points<const N: usize> {
+pub(crate) struct Points<const N: usize> {
     pub x: [f32; N],
     pub y: [f32; N],
 }
@@ -106,7 +106,7 @@ impl<const N: usize> Place<N> for &Points<N> {
 
 /// A plane along a row or anywhere, in `f32` or `f64`.
 #[derive(Clone, Copy)]
-pub(super) struct Along<T> {
+pub(crate) struct Along<T> {
     n: Terms<T>,
     c: T,
     min: T,
@@ -122,25 +122,25 @@ fn numerator(p: &Plane) -> Linear {
 impl Along<f32> {
     /// A plane in a row, relative to the primitive's origin, if there is one.
     #[inline(always)]
-    pub(super) fn new(p: &Plane, row: Option<f32>) -> Self {
+    pub(crate) fn new(p: &Plane, row: Option<f32>) -> Self {
         Self { n: Terms::new(&numerator(p), row), c: p.c, min: p.min, max: p.max }
     }
 
     /// A plane that is the same everywhere.
     #[inline(always)]
-    pub(super) fn constant(v: f32) -> Self {
+    pub(crate) fn constant(v: f32) -> Self {
         Self { n: Terms { at: 0.0, x: 0.0, y: 0.0 }, c: v, min: v, max: v }
     }
 
     /// The value at lane i where w is the same everywhere.
     #[inline(always)]
-    pub(super) fn even<const N: usize>(&self, place: impl Place<N>, i: usize) -> f32 {
+    pub(crate) fn even<const N: usize>(&self, place: impl Place<N>, i: usize) -> f32 {
         clamp_f32(self.c + place.sum(&self.n, i), self.min, self.max)
     }
 
     /// The value at lane i, 1 / D being `rq`.
     #[inline(always)]
-    pub(super) fn divided<const N: usize>(&self, place: impl Place<N>, i: usize, rq: f32) -> f32 {
+    pub(crate) fn divided<const N: usize>(&self, place: impl Place<N>, i: usize, rq: f32) -> f32 {
         clamp_f32(self.c + place.sum(&self.n, i) * rq, self.min, self.max)
     }
 }
@@ -148,7 +148,7 @@ impl Along<f32> {
 impl Along<f32> {
     /// N / D, with 1 / D.
     #[inline(always)]
-    pub(super) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f32; N]) -> [f32; N] {
+    pub(crate) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f32; N]) -> [f32; N] {
         let mut t = [0.0; N];
         for i in 0..N {
             t[i] = place.sum(&self.n, i) * rq[i];
@@ -158,7 +158,7 @@ impl Along<f32> {
 
     /// The values with these offsets.
     #[inline(always)]
-    pub(super) fn limited<const N: usize>(&self, t: &[f32; N]) -> [f32; N] {
+    pub(crate) fn limited<const N: usize>(&self, t: &[f32; N]) -> [f32; N] {
         let mut out = [0.0; N];
         for i in 0..N {
             out[i] = clamp_f32(self.c + t[i], self.min, self.max);
@@ -170,7 +170,7 @@ impl Along<f32> {
 impl Along<f64> {
     /// N / D, with 1 / D.
     #[inline(always)]
-    pub(super) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f64; N]) -> [f64; N] {
+    pub(crate) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f64; N]) -> [f64; N] {
         let mut t = [0.0; N];
         for i in 0..N {
             t[i] = place.sum64(&self.n, i) * rq[i];
@@ -204,7 +204,7 @@ impl Along<f64> {
 
     /// The values with these offsets, without whole periods where they repeat; `inside`: the limits change nothing.
     #[inline(always)]
-    pub(super) fn limited<const N: usize>(&self, t: &[f64; N], repeats: bool, inside: bool) -> [f32; N] {
+    pub(crate) fn limited<const N: usize>(&self, t: &[f64; N], repeats: bool, inside: bool) -> [f32; N] {
         let Self { c, min, max, .. } = *self;
         let value = |i: usize| {
             let v = c + t[i];
@@ -231,7 +231,7 @@ impl Along<f64> {
 
 /// 1 / D.
 #[inline(always)]
-pub(super) fn reciprocals<const N: usize>(d: &Divisor<f64>, place: impl Place<N>) -> [f64; N] {
+pub(crate) fn reciprocals<const N: usize>(d: &Divisor<f64>, place: impl Place<N>) -> [f64; N] {
     let mut rq = [0.0; N];
     for i in 0..N {
         rq[i] = reciprocal64(place.sum64(d, i));
@@ -240,18 +240,18 @@ pub(super) fn reciprocals<const N: usize>(d: &Divisor<f64>, place: impl Place<N>
 }
 
 /// D.
-pub(super) type Divisor<T> = Terms<T>;
+pub(crate) type Divisor<T> = Terms<T>;
 
 /// Pixels of a row relative to the primitive's origin: the first and the last x, and y.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Run {
+pub(crate) struct Run {
     pub x: [i32; 2],
     pub y: i32,
 }
 
 /// What planes are worked out for.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Extent {
+pub(crate) enum Extent {
     /// A part of a row.
     Row(Run),
     /// Any rows of the primitive.
@@ -261,7 +261,7 @@ pub(super) enum Extent {
 impl Extent {
     /// The row, if it is one.
     #[inline(always)]
-    pub(super) fn row(&self) -> Option<f32> {
+    pub(crate) fn row(&self) -> Option<f32> {
         match self {
             Self::Row(run) => Some(run.y as f32),
             Self::All => None,
@@ -271,7 +271,7 @@ impl Extent {
 
 /// How the K coordinates of a unit come about.
 #[derive(Clone, Copy)]
-pub(super) enum Form<const K: usize> {
+pub(crate) enum Form<const K: usize> {
     /// w is the same everywhere.
     Even([Along<f32>; K]),
     /// They are divided by D.
@@ -283,7 +283,7 @@ pub(super) enum Form<const K: usize> {
 impl<const K: usize> Form<K> {
     /// Coordinates of pixels, relative to the primitive's origin.
     #[inline(always)]
-    pub(super) fn new(unit: &Unit<'_, K>, extent: Extent) -> Self {
+    pub(crate) fn new(unit: &Unit<'_, K>, extent: Extent) -> Self {
         let row = extent.row();
         if unit.wide {
             let planes = unit.coords.each_ref().map(|p| Along::wide(p, row));
@@ -307,13 +307,13 @@ impl<const K: usize> Form<K> {
 
     /// Whether they are divided by D in `f32`.
     #[inline(always)]
-    pub(super) fn divides(&self) -> bool {
+    pub(crate) fn divides(&self) -> bool {
         matches!(self, Self::Divided(_))
     }
 
     /// The coordinates; `rq` is 1 / D where they are divided by it in `f32`.
     #[inline(always)]
-    pub(super) fn values<const N: usize>(
+    pub(crate) fn values<const N: usize>(
         &self,
         place: impl Place<N>,
         rq: &[f32; N],
@@ -349,7 +349,7 @@ impl<const K: usize> Form<K> {
 
 /// Between which numbers a coordinate is; `None` if it may not be finite.
 #[inline(always)]
-pub(super) fn range<const K: usize>(unit: &Unit<'_, K>, repeats: &[bool; K], k: usize) -> Option<Range> {
+pub(crate) fn range<const K: usize>(unit: &Unit<'_, K>, repeats: &[bool; K], k: usize) -> Option<Range> {
     let p = &unit.coords[k];
     let greatest = max_f32(p.max.abs(), p.min.abs());
     if !(p.min.is_finite() && p.max.is_finite()) {
@@ -364,8 +364,8 @@ pub(super) fn range<const K: usize>(unit: &Unit<'_, K>, repeats: &[bool; K], k: 
 
 #[cfg(test)]
 mod tests {
-    use super::super::planes::Planes;
     use super::*;
+    use crate::fragment::planes::Planes;
 
     /// Where limits are said to change nothing they change nothing, and so it is said of most runs that keep away from them.
     #[test]

@@ -3,19 +3,19 @@
 //! at its two ends are its least and its greatest: a run whose nearest end lies behind what the coarse buffer says of its
 //! blocks is skipped unread. After a run the blocks that it has touched are looked at again.
 
-use super::batch::{FragmentBatch, Segment};
-use super::buffers::{fresh_mask, write};
-use super::compare::{Func, compare, holds, living};
-use super::depth::{WRITE, depths, quantise, test, whole};
-use super::planes::Linear;
-use super::segments::{IOTA, ones, row_origin, single_row};
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::compare::{Func, compare, holds, living};
+use crate::fragment::planes::Linear;
+use crate::fragment::reference::depth::{WRITE, depths, quantise, test, whole};
+use crate::fragment::reference::lanes::{IOTA, ones, row_origin, single_row};
+use crate::fragment::reference::places::{fresh_mask, write};
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::framebuffer::{BLOCK, Band};
 use crate::simd::{LANES, stage};
 
 /// Depth along a row.
 #[derive(Clone, Copy)]
-pub(super) struct Slope {
+pub(crate) struct Slope {
     at: f64,
     x: f64,
     max: f64,
@@ -26,13 +26,13 @@ pub(super) struct Slope {
 impl Slope {
     /// Depth in the row y, relative to the primitive's origin.
     #[inline(always)]
-    pub(super) fn new(z: &Linear, y: i32, max: f64) -> Self {
+    pub(crate) fn new(z: &Linear, y: i32, max: f64) -> Self {
         Self { at: z.at + z.y * f64::from(y), x: z.x, max, inside: false }
     }
 
     /// For the depths from x to `last`: where both ends lie within the limits, all between do, rounding included.
     #[inline(always)]
-    pub(super) fn between(self, x: i32, last: i32) -> Self {
+    pub(crate) fn between(self, x: i32, last: i32) -> Self {
         let within = |x: i32| {
             let z = self.at + self.x * f64::from(x);
             z >= 0.0 && z <= self.max
@@ -48,7 +48,7 @@ impl Slope {
 
     /// The depths from x on.
     #[inline(always)]
-    pub(super) fn depths<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
+    pub(crate) fn depths<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         if self.x == 0.0 {
             // (at + 0 x) is at, or at with the sign of a zero changed.
             *out = [quantise(self.at, self.max); N];
@@ -86,13 +86,13 @@ fn fails(func: Func, least: u32, limit: u32) -> bool {
 }
 
 /// Whether the coarse depths are of use to a test: depths never rise, and what is behind them fails.
-pub(super) fn coarse(func: Func) -> bool {
+pub(crate) fn coarse(func: Func) -> bool {
     matches!(func, Func::Less | Func::Lequal | Func::Equal)
 }
 
 /// How many pixels of a run, from its start on, fail the test because their blocks are nearer.
 #[inline(always)]
-pub(super) fn hidden(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, func: Func) -> u32 {
+pub(crate) fn hidden(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, func: Func) -> u32 {
     let Ok(start) = usize::try_from(run.x) else { return 0 };
     let least = slope.least(x, x.wrapping_add(run.len.wrapping_sub(1).cast_signed()));
     let end = start.saturating_add(run.len as usize);
@@ -108,7 +108,7 @@ pub(super) fn hidden(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, func
 
 /// Tells the coarse buffer of the blocks that the first `len` pixels of a run touch.
 #[inline(always)]
-pub(super) fn look(band: &mut Band<'_>, run: &Segment, len: usize) {
+pub(crate) fn look(band: &mut Band<'_>, run: &Segment, len: usize) {
     let (Ok(x), row) = (usize::try_from(run.x), band.memory_row(run.y)) else { return };
     let Some(start) = (run.offset as usize).checked_sub(x) else { return };
     let Some(depths) = band.depth.get(start..).map(|d| d.get(..band.width as usize).unwrap_or(d)) else { return };
@@ -130,7 +130,7 @@ pub(super) fn look(band: &mut Band<'_>, run: &Segment, len: usize) {
 
 /// All ones in the first `n` lanes.
 #[inline(always)]
-pub(super) fn lanes<const N: usize>(n: usize) -> [u32; N] {
+pub(crate) fn lanes<const N: usize>(n: usize) -> [u32; N] {
     let mut mask = [0; N];
     for i in 0..N {
         mask[i] = ones(IOTA[i] < n as f32);
@@ -175,9 +175,9 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
 }
 
 stage! {
-    /// What [`BEGIN`](super::depth::BEGIN), [`DEPTH`](super::depth::DEPTH) and [`DEPTH_TEST`](super::depth::DEPTH_TEST)
+    /// What [`BEGIN`](crate::fragment::reference::depth::BEGIN), [`DEPTH`](crate::fragment::reference::depth::DEPTH) and [`DEPTH_TEST`](crate::fragment::reference::depth::DEPTH_TEST)
     /// do one after the other, at once for batches of one row.
-    pub(super) fn EARLY_DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn EARLY_DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         if single_row(b) && row(b, u, w, arg) {
             return;
         }
@@ -187,7 +187,7 @@ stage! {
     }
 
     /// How many pixels of the run of the first segment, of any length, may be skipped from its start on; in `tex.n`.
-    pub(super) fn HIDDEN: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn HIDDEN: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let segment = b.segments[0];
         b.tex.n = 0;
         if let Some(planes) = w.planes.get(segment.prim as usize) {
@@ -198,7 +198,7 @@ stage! {
     }
 
     /// Tells the coarse buffer of what the run of the first segment has left behind.
-    pub(super) fn LOOK: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn LOOK: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let run = b.segments[0];
         look(w.band, &run, run.len as usize);
     }

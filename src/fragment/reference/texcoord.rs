@@ -8,37 +8,37 @@
 //! Primitives whose coordinates or w range too far are evaluated in `f64`, and whole periods are taken off before the
 //! result becomes `f32`. Whatever comes in, a finite coordinate goes out: what is not finite becomes 0.
 
-use super::batch::{FragmentBatch, Segment};
-use super::detail;
-use super::interpolate::{DIVIDES, FIRST, group, reciprocals};
-use super::planes::{GROUP, Linear, Plane, PlaneGroup, Planes, UnitSlots};
-use super::segments::{
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::lod_bounds;
+use crate::fragment::planes::{GROUP, Linear, Plane, PlaneGroup, Planes, UnitSlots};
+use crate::fragment::reference::interpolate::{DIVIDES, FIRST, group, reciprocals};
+use crate::fragment::reference::lanes::{
     CHUNK, Chunk, Piece, Positions, Row, Rows, linear, one_primitive, pieces, positions, put, row_origin, single_row,
 };
-use super::uniforms::{FragFn, FragUniforms, Work};
-use super::wide::{wide_lanes, wide_piece};
+use crate::fragment::reference::texcoord_f64::{wide_lanes, wide_piece};
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::{clamp_f32, max_f32};
 use crate::simd::{LANES, stage};
 use crate::texture::batch::{Detail, Lanes};
 
 /// Bits of the number of [`COORDINATES`]: [`FIRST`], this one for derivatives, the unit from bit 2 on, then [`ALONE`].
-pub(super) const DERIVATIVES: u32 = 2;
+pub(crate) const DERIVATIVES: u32 = 2;
 /// No later stage reads 1 / D: it need not be left behind.
-pub(super) const ALONE: u32 = 1 << 8;
+pub(crate) const ALONE: u32 = 1 << 8;
 
 /// A later unit is divided by D as well and may take what 1 / D this one leaves in `f64`.
-pub(super) const SHARED: u32 = 1 << 9;
+pub(crate) const SHARED: u32 = 1 << 9;
 /// An earlier unit may have left 1 / D in `f64`.
-pub(super) const AGAIN: u32 = 1 << 10;
+pub(crate) const AGAIN: u32 = 1 << 10;
 
 /// The unit in the number of [`COORDINATES`].
-pub(super) fn unit_of(number: u32) -> usize {
+pub(crate) fn unit_of(number: u32) -> usize {
     (number >> 2) as usize & 31
 }
 
 /// What is not finite becomes 0.
 #[inline(always)]
-pub(super) fn finite(v: f32) -> f32 {
+pub(crate) fn finite(v: f32) -> f32 {
     // The exponent of infinities and NaN is all ones; a comparison of floats would do, but this selects by bits.
     let bits = v.to_bits();
     let keep = u32::from(bits & 0x7F80_0000 != 0x7F80_0000).wrapping_neg();
@@ -46,7 +46,7 @@ pub(super) fn finite(v: f32) -> f32 {
 }
 
 /// One unit's planes: those of its coordinates and the divisor.
-pub(super) struct Unit<'a, const K: usize> {
+pub(crate) struct Unit<'a, const K: usize> {
     pub planes: &'a Planes,
     pub coords: &'a [Plane; K],
     /// Q, or D where the unit has no q.
@@ -57,7 +57,7 @@ pub(super) struct Unit<'a, const K: usize> {
 
 /// The planes of a segment's primitive for a unit.
 #[inline(always)]
-pub(super) fn unit<'a, const K: usize>(
+pub(crate) fn unit<'a, const K: usize>(
     w: &Work<'a, '_>,
     segment: &Segment,
     slots: &UnitSlots,
@@ -82,7 +82,7 @@ pub(super) fn unit<'a, const K: usize>(
 
 /// 1 / D, or 1 / Q where the unit has a q. 1 / D is left for later stages that read it, or taken from an earlier one.
 #[inline(always)]
-pub(super) fn divisors<const K: usize>(
+pub(crate) fn divisors<const K: usize>(
     rw: &mut Lanes,
     unit: &Unit<'_, K>,
     places: &impl Positions,
@@ -107,7 +107,7 @@ pub(super) fn divisors<const K: usize>(
 
 /// Whether a unit's derivatives are the same everywhere: those of its numerators.
 #[inline(always)]
-pub(super) fn is_even<const K: usize>(unit: &Unit<'_, K>) -> bool {
+pub(crate) fn is_even<const K: usize>(unit: &Unit<'_, K>) -> bool {
     let d = &unit.divisor;
     unit.planes.affine && !unit.has_q && d.at == 1.0 && d.x == 0.0 && d.y == 0.0
 }
@@ -171,7 +171,7 @@ fn lanes<const K: usize>(
 
 /// [`finite`] for all lanes. Between finite limits it has nothing to do.
 #[inline(always)]
-pub(super) fn all_finite(out: &mut Lanes, min: f32, max: f32) {
+pub(crate) fn all_finite(out: &mut Lanes, min: f32, max: f32) {
     if !(min.is_finite() && max.is_finite()) {
         for v in out {
             *v = finite(*v);
@@ -260,7 +260,7 @@ fn grouped<const K: usize>(
 
 /// Whether a stage has to compute 1 / D, whether to leave it for later ones, and whether for later units in `f64`.
 #[derive(Clone, Copy)]
-pub(super) struct First {
+pub(crate) struct First {
     pub computes: bool,
     pub leaves: bool,
     pub shared: bool,
@@ -268,7 +268,7 @@ pub(super) struct First {
 
 /// All lanes of a batch of one primitive.
 #[inline(always)]
-pub(super) fn whole<const K: usize>(
+pub(crate) fn whole<const K: usize>(
     b: &mut FragmentBatch,
     unit: &Unit<'_, K>,
     places: &impl Positions,
@@ -303,7 +303,8 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, u: &FragUniforms, w: &Work
                 && !is_even(&unit)
             {
                 let (x, y) = row_origin(&segment, unit.planes);
-                b.tex.detail = detail::of_row(&mut b.ahead, index as usize, &b.tex, &unit, (x, y, segment.len), levels);
+                b.tex.detail =
+                    lod_bounds::of_row(&mut b.ahead, index as usize, &b.tex, &unit, (x, y, segment.len), levels);
                 derivatives &= b.tex.detail == Detail::Lanes;
             }
             whole(b, &unit, &Row::new(&segment, unit.planes), slots, first, derivatives);
@@ -340,7 +341,7 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, u: &FragUniforms, w: &Work
 
 stage! {
     /// The coordinates of one unit, and their derivatives where the sampler needs them.
-    pub(super) fn COORDINATES: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn COORDINATES: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(Some(slots)) = u.layout.units.get(unit_of(arg)) else { return };
         match slots.count {
             1 => coordinates::<1>(b, u, w, slots, arg),

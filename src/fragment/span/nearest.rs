@@ -1,14 +1,14 @@
 //! Runs of a row, of any length, of programs that test depth and put the nearest texel of one 8-bit image in the place of
-//! the colour (OpenGL 1.5, sections 3.8.7, 3.8.8 and 3.8.13): what [`fill`](super::fill) does for interpolated colours.
+//! the colour (OpenGL 1.5, sections 3.8.7, 3.8.8 and 3.8.13): what [`fill`](crate::fragment::span::long) does for interpolated colours.
 //! What is the same for all of a run (planes in its row, limits, wraps) is worked out once; then each block goes from
 //! positions to texels without a batch in between, and where all its fragments are alive texels are copied straight into
 //! the framebuffer. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Divisor, Extent, Form, From, Place, Terms, range};
-use super::coordinates::Unit;
-use super::detail::Reads;
-use super::fill::{Part, Parts, Source};
-use super::uniforms::{FragUniforms, Work};
+use crate::fragment::lod_bounds::Reads;
+use crate::fragment::plane_eval::{Divisor, Extent, Form, From, Place, Terms, range};
+use crate::fragment::reference::texcoord::Unit;
+use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::{self, neighbours};
 use crate::texture::uniforms::WrappedImage;
 use crate::texture::wrap::bounded::Near;
@@ -23,7 +23,7 @@ pub struct Copied {
 }
 
 /// What all blocks of a run need to find their texels.
-pub(super) struct Texels<'a> {
+pub(crate) struct Texels<'a> {
     form: Form<2>,
     /// D, if coordinates are divided by it in `f32`.
     d: Option<Divisor<f32>>,

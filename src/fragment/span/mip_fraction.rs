@@ -1,11 +1,11 @@
 //! How much of each of two levels pixels along a row read (OpenGL 1.5, section 3.8.8), for stages that do whole runs: where
-//! limits of rho say which two levels a part of a run blends ([`detail`](super::detail)), what is left of lambda is its
+//! limits of rho say which two levels a part of a run blends ([`detail`](crate::fragment::lod_bounds)), what is left of lambda is its
 //! fraction, and where they say along which axis rho is greater, the derivatives of that one are enough. Every number comes
 //! from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Form, Place};
-use super::coordinates::Unit;
-use super::detail::{Axis, Share};
+use crate::fragment::lod_bounds::{Axis, Share};
+use crate::fragment::plane_eval::{Form, Place};
+use crate::fragment::reference::texcoord::Unit;
 use crate::num::{log2_f32, max_f32};
 use crate::texture::lod::Levels;
 
@@ -27,7 +27,7 @@ enum Lambda<const K: usize> {
 }
 
 /// What all blocks of a run need to find the weight of the second of two levels.
-pub(super) struct Mixing<const K: usize> {
+pub(crate) struct Mixing<const K: usize> {
     lambda: Lambda<K>,
     scale: [f32; K],
     bias: f32,
@@ -41,7 +41,7 @@ fn add(k: usize, texels: f32, rho2: &mut f32) {
 }
 
 /// The square of rho of a unit whose derivatives are the same everywhere, as fragments compute it.
-pub(super) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> f32 {
+pub(crate) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> f32 {
     let (mut x, mut y) = (0.0, 0.0);
     for k in 0..K {
         let (plane, scale) = (&unit.coords[k], levels.scale[k] as f32);
@@ -54,7 +54,7 @@ pub(super) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> 
 impl<const K: usize> Mixing<K> {
     /// For a part of a run that reads `level` and such a share of the next one.
     #[inline(always)]
-    pub(super) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, share: Share) -> Option<Self> {
+    pub(crate) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, share: Share) -> Option<Self> {
         let (mut x, mut y) = (Slope { n: [0.0; K], d: unit.divisor.x }, Slope { n: [0.0; K], d: unit.divisor.y });
         let mut scale = [0.0; K];
         for k in 0..K {
@@ -111,7 +111,7 @@ impl<const K: usize> Mixing<K> {
 
     /// The coordinates, and the weights of the second level; `rw` is 1 / D where it is needed in `f32`.
     #[inline(always)]
-    pub(super) fn values<const N: usize>(
+    pub(crate) fn values<const N: usize>(
         &self,
         form: &Form<K>,
         place: impl Place<N>,
@@ -122,7 +122,7 @@ impl<const K: usize> Mixing<K> {
         match (&self.lambda, form) {
             (Lambda::Same(fraction), _) => return (form.values(place, rw, repeats), [*fraction; N]),
             (lambda, Form::Wide(planes, d, inside)) => {
-                let rq = super::along::reciprocals(d, place);
+                let rq = crate::fragment::plane_eval::reciprocals(d, place);
                 let mut t = [[0.0; N]; K];
                 for k in 0..K {
                     t[k] = planes[k].offsets(place, &rq);

@@ -3,33 +3,33 @@
 //! Where nothing comes between interpolation and the store, [`COLOR_PACKED`] does both at once: a primitive of one colour
 //! is rounded once for a whole segment, others are rounded in registers.
 
-use super::along::{Divisor, From, Place, Terms};
-use super::batch::FragmentBatch;
-use super::buffers::{load, places, store};
-use super::interpolate::{DIVIDES, FIRST, group, primitive, reciprocals, value, value_of_member};
-use super::planes::{Linear, Plane, Planes};
-use super::segments::{CHUNK, pieces, positions, put, row_origin, single_row};
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::plane_eval::{Divisor, From, Place, Terms};
+use crate::fragment::planes::{Linear, Plane, Planes};
+use crate::fragment::reference::interpolate::{DIVIDES, FIRST, group, primitive, reciprocals, value, value_of_member};
+use crate::fragment::reference::lanes::{CHUNK, pieces, positions, put, row_origin, single_row};
+use crate::fragment::reference::places::{load, places, store};
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::{clamp_f32, clamp01, round_to_int};
 use crate::simd::{LANES, stage};
 use crate::texture::batch::Lanes;
 
 /// A channel in [0, 1] as a byte.
 #[inline(always)]
-pub(super) fn byte(v: f32) -> u32 {
+pub(crate) fn byte(v: f32) -> u32 {
     whole(clamp01(v) * 255.0)
 }
 
 /// A value in 0..=255 as a byte.
 #[inline(always)]
-pub(super) fn whole(v: f32) -> u32 {
+pub(crate) fn whole(v: f32) -> u32 {
     round_to_int(v).cast_unsigned()
 }
 
 /// Four values in 0..=255 as a pixel of bytes: [`pixel`] of [`whole`] of each. The bits of 1.5 * 2^23 that rounding leaves
 /// above a byte are taken off once for all; of blue and alpha the shift drops them.
 #[inline(always)]
-pub(super) fn whole_pixel(r: f32, g: f32, b: f32, a: f32) -> u32 {
+pub(crate) fn whole_pixel(r: f32, g: f32, b: f32, a: f32) -> u32 {
     const MAGIC: f32 = 12_582_912.0;
     const LEFT: u32 = MAGIC.to_bits().wrapping_add(MAGIC.to_bits() << 8);
     let bits = |v: f32| (v + MAGIC).to_bits();
@@ -39,13 +39,13 @@ pub(super) fn whole_pixel(r: f32, g: f32, b: f32, a: f32) -> u32 {
 
 /// Four bytes as a pixel.
 #[inline(always)]
-pub(super) fn pixel(r: u32, g: u32, b: u32, a: u32) -> u32 {
+pub(crate) fn pixel(r: u32, g: u32, b: u32, a: u32) -> u32 {
     r | g << 8 | b << 16 | a << 24
 }
 
 /// The packed colour of a primitive whose four colour planes are constant.
 #[inline(always)]
-pub(super) fn constant(pool: &[Plane; 4]) -> Option<u32> {
+pub(crate) fn constant(pool: &[Plane; 4]) -> Option<u32> {
     let [r, g, b, a] = pool;
     let flat = r.min == r.max && g.min == g.max && b.min == b.max && a.min == a.max;
     if flat { Some(pixel(byte(r.max), byte(g.max), byte(b.max), byte(a.max))) } else { None }
@@ -77,7 +77,7 @@ impl Run {
 
 /// The packed colours of a row of a primitive.
 #[derive(Clone, Copy)]
-pub(super) enum Paint {
+pub(crate) enum Paint {
     /// All the same.
     Flat(u32),
     /// Interpolated.
@@ -86,7 +86,7 @@ pub(super) enum Paint {
 
 /// Interpolated colours of a row.
 #[derive(Clone, Copy)]
-pub(super) struct Smooth {
+pub(crate) struct Smooth {
     channels: [Run; 4],
     /// D along the row and its change, where it is not 1.
     d: Option<Divisor<f32>>,
@@ -98,7 +98,7 @@ pub(super) struct Smooth {
 impl Paint {
     /// The colours of a row, relative to the primitive's origin, or of all of it; `None` where the primitive is wide.
     #[inline(always)]
-    pub(super) fn new(planes: &Planes, pool: &[Plane; 4], row: Option<i32>, or: u32) -> Option<Self> {
+    pub(crate) fn new(planes: &Planes, pool: &[Plane; 4], row: Option<i32>, or: u32) -> Option<Self> {
         let alpha = &pool[3];
         if let Some(packed) = constant(pool) {
             return Some(Self::Flat(packed | or));
@@ -117,7 +117,7 @@ impl Paint {
 
     /// The pixels at a place.
     #[inline(always)]
-    pub(super) fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
+    pub(crate) fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         match self {
             Self::Flat(packed) => *out = [*packed; N],
             Self::Smooth(smooth) if smooth.opaque => smooth.pixels::<true, N>(place, out),
@@ -211,34 +211,34 @@ fn packed(color: &[Lanes; 4], or: u32, out: &mut [u32; LANES]) {
 }
 
 stage! {
-    /// The interpolated primary colour, packed: what [`COLOR`](super::interpolate::COLOR) and [`PACK`] would give.
-    pub(super) fn COLOR_PACKED: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    /// The interpolated primary colour, packed: what [`COLOR`](crate::fragment::reference::interpolate::COLOR) and [`PACK`] would give.
+    pub(crate) fn COLOR_PACKED: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         if let Some(slot) = u.layout.color {
             color_packed(b, slot, u.packed_or, w, arg);
         }
     }
 
     /// [`COLOR_PACKED`] and [`STORE`] where nothing comes between them.
-    pub(super) fn COLOR_STORE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn COLOR_STORE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let Some(slot) = u.layout.color else { return };
         color_packed(b, slot, u.packed_or, w, arg);
         store(places!(b), &b.tex.mask, &b.packed, w.band.rgba8);
     }
 
     /// The fragment's colour, packed.
-    pub(super) fn PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         packed(&b.tex.previous, u.packed_or, &mut b.packed);
     }
 
     /// [`PACK`] and [`STORE`] where nothing comes between them.
-    pub(super) fn PACK_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn PACK_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let mut pixels = [0; LANES];
         packed(&b.tex.previous, u.packed_or, &mut pixels);
         store(places!(b), &b.tex.mask, &pixels, w.band.rgba8);
     }
 
     /// What blending gave, packed: it is in the store's unit and within its limits.
-    pub(super) fn PACK_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn PACK_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         let [red, green, blue, alpha] = &b.dst;
         for i in 0..LANES {
             b.packed[i] = whole_pixel(red[i], green[i], blue[i], alpha[i]) | u.packed_or;
@@ -246,7 +246,7 @@ stage! {
     }
 
     /// The pixels' channels as floats for blending.
-    pub(super) fn UNPACK: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn UNPACK: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
             let p = b.packed_dst[i];
             b.dst[0][i] = (p & 0xFF).cast_signed() as f32;
@@ -257,19 +257,19 @@ stage! {
     }
 
     /// Reads the pixels.
-    pub(super) fn LOAD: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn LOAD: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         load(places!(b), w.band.rgba8, &mut b.packed_dst);
     }
 
     /// Bytes that the colour mask protects stay as they are.
-    pub(super) fn COLOR_MASK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn COLOR_MASK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
             b.packed[i] = (b.packed[i] & u.color_mask) | (b.packed_dst[i] & !u.color_mask);
         }
     }
 
     /// Writes the pixels of the fragments that are alive.
-    pub(super) fn STORE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn STORE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         store(places!(b), &b.tex.mask, &b.packed, w.band.rgba8);
     }
 }

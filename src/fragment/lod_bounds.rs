@@ -10,8 +10,8 @@
 //! derivatives that are not worked out, widens the limits. They are asked for once for several batches of a run: for all of
 //! it, or for as much as was of use before.
 
-use super::coordinates::{Unit, is_even};
-use super::mixing::even_rho2;
+use crate::fragment::reference::texcoord::{Unit, is_even};
+use crate::fragment::span::mip_fraction::even_rho2;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
 use crate::texture::batch::{Detail, TexBatch};
@@ -51,7 +51,7 @@ pub struct Ahead {
 impl Ahead {
     /// A run begins.
     #[inline(always)]
-    pub(super) fn begin(&mut self, len: u32) {
+    pub(crate) fn begin(&mut self, len: u32) {
         self.left = len;
         self.levels = [(0, u32::MAX); MAX_TEXTURE_UNITS];
         self.blended = 0;
@@ -60,7 +60,7 @@ impl Ahead {
 
     /// So many pixels are done.
     #[inline(always)]
-    pub(super) fn advance(&mut self, done: u32) {
+    pub(crate) fn advance(&mut self, done: u32) {
         self.left = self.left.saturating_sub(done);
     }
 }
@@ -77,7 +77,7 @@ fn ordered(a: f64, b: f64) -> [f64; 2] {
 
 /// Along which axis of the window rho is greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Axis {
+pub(crate) enum Axis {
     /// Along x.
     X,
     /// Along y.
@@ -88,7 +88,7 @@ pub(super) enum Axis {
 
 /// How much is read of the second of two levels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Share {
+pub(crate) enum Share {
     /// So much everywhere.
     Same(f32),
     /// What rho tells, along this axis.
@@ -97,7 +97,7 @@ pub(super) enum Share {
 
 /// What a part of a run reads.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Reads {
+pub(crate) enum Reads {
     /// One level.
     One(u32),
     /// This level and the next one.
@@ -167,7 +167,7 @@ fn limits<const K: usize, const SEVERAL: bool>(unit: &Unit<'_, K>, span: Span, s
 /// What is known of the levels that the fragments of a row read, of the unit with this index. The row is so many pixels
 /// long from (x, y) on, relative to the primitive's origin.
 #[inline(always)]
-pub(super) fn of_row<const K: usize>(
+pub(crate) fn of_row<const K: usize>(
     ahead: &mut Ahead,
     index: usize,
     b: &TexBatch,
@@ -203,7 +203,7 @@ pub(super) fn of_row<const K: usize>(
 /// What the next pixels of a run read, of which so many are left from (x, y) on, and how many do; `None` where limits do not
 /// tell for as many as a batch has.
 #[inline(always)]
-pub(super) fn part<const K: usize>(
+pub(crate) fn part<const K: usize>(
     ahead: &mut Ahead,
     index: u32,
     b: &TexBatch,
@@ -240,7 +240,7 @@ fn along(x: i32, y: i32, pixels: u32) -> Span {
 
 /// What the pixels read whose x and y, relative to the primitive's origin, are in these limits; `None` where nothing tells.
 #[inline(always)]
-pub(super) fn of_rows<const K: usize>(
+pub(crate) fn of_rows<const K: usize>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
     [x, y]: [[i32; 2]; 2],
@@ -272,11 +272,11 @@ fn reads<const K: usize, const SEVERAL: bool>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::batch::{FragmentBatch, Segment};
-    use super::super::coordinates::{First, whole};
-    use super::super::planes::{Linear, Plane, Planes, UnitSlots};
-    use super::super::segments::Row;
     use super::*;
+    use crate::fragment::batch::{FragmentBatch, Segment};
+    use crate::fragment::planes::{Linear, Plane, Planes, UnitSlots};
+    use crate::fragment::reference::lanes::Row;
+    use crate::fragment::reference::texcoord::{First, whole};
     use crate::simd::LANES;
 
     /// Numbers between -1 and 1.

@@ -1,12 +1,12 @@
 //! Texture coordinates in `f64` (OpenGL 1.5, section 3.8.8): those of primitives whose coordinates or w range too far for
-//! `f32`. The equations are those of [`coordinates`](super::coordinates), whole periods come off before the result becomes
+//! `f32`. The equations are those of [`coordinates`](crate::fragment::reference::texcoord), whole periods come off before the result becomes
 //! `f32`, and 1 / D is one `f32` division with a Newton step.
 
-use super::batch::FragmentBatch;
-use super::coordinates::{First, Unit, all_finite, divisors, finite, is_even};
-use super::interpolate::{reciprocal64, reciprocals};
-use super::planes::{Linear, Planes, UnitSlots};
-use super::segments::{CHUNK, Chunk, Piece, Positions, linear64, put};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::planes::{Linear, Planes, UnitSlots};
+use crate::fragment::reference::interpolate::{reciprocal64, reciprocals};
+use crate::fragment::reference::lanes::{CHUNK, Chunk, Piece, Positions, linear64, put};
+use crate::fragment::reference::texcoord::{First, Unit, all_finite, divisors, finite, is_even};
 use crate::num::{max_f32, round_f64};
 use crate::simd::LANES;
 use crate::texture::batch::{Detail, Lanes, TexBatch};
@@ -14,21 +14,21 @@ use crate::texture::wrap::bounded::Range;
 
 /// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
 #[inline(always)]
-pub(super) fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
+pub(crate) fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
     v - period * round_f64(v * inverse)
 }
 
 /// Between which numbers coordinates are without whole periods that were not farther from 0 than `greatest`: half a period is
 /// left of numbers that have a fraction, all of which is exact.
 #[inline(always)]
-pub(super) fn rest(greatest: f32, period: f32) -> Range {
+pub(crate) fn rest(greatest: f32, period: f32) -> Range {
     let half = 0.5 * period;
     if greatest < 1e9 { Range { least: -half, limit: half } } else { Range { least: -greatest, limit: greatest } }
 }
 
 /// Lanes of one primitive that fill the batch, in `f64`: [`wide_piece`] for all lanes at once.
 #[inline(always)]
-pub(super) fn wide_lanes<const K: usize>(
+pub(crate) fn wide_lanes<const K: usize>(
     b: &mut FragmentBatch,
     unit: &Unit<'_, K>,
     places: &impl Positions,
@@ -142,7 +142,7 @@ impl Wide {
 
 /// A piece of a segment in `f64`.
 #[inline(always)]
-pub(super) fn wide_piece<const K: usize>(
+pub(crate) fn wide_piece<const K: usize>(
     b: &mut FragmentBatch,
     unit: &Unit<'_, K>,
     slots: &UnitSlots,

@@ -1,25 +1,25 @@
-//! Runs of a row, as those of [`fill_linear`](super::fill_linear), of which two levels of one image are blended (OpenGL 1.5,
+//! Runs of a row, as those of [`fill_linear`](crate::fragment::span::sampled), of which two levels of one image are blended (OpenGL 1.5,
 //! section 3.8.8, *_MIPMAP_LINEAR): limits of rho have told which two. The derivatives, the fraction of lambda, both levels'
 //! texels and their mix follow each other block by block. Every number comes from the same expressions as in the stages of
 //! batches, so the bits are the same.
 
-use super::along::{Divisor, Form, Place};
-use super::detail::Reads;
-use super::fill::{Part, Parts, Source};
-use super::fill_linear::{Environment, Level, Shown, divided};
-use super::mixing::Mixing;
-use super::uniforms::{FragUniforms, Work};
+use crate::fragment::lod_bounds::Reads;
+use crate::fragment::plane_eval::{Divisor, Form, Place};
+use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::span::mip_fraction::Mixing;
+use crate::fragment::span::sampled::{Environment, Level, Shown, divided};
+use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::linear_rgba8::RGB;
 use crate::texture::filter::{INV_255, lerp};
 use crate::texture::uniforms::WrappedImage;
 
 /// Between two levels of a 2D image.
-pub(super) struct Between<'a, const FORMAT: u8>(&'a Shown, &'a WrappedImage<2>);
+pub(crate) struct Between<'a, const FORMAT: u8>(&'a Shown, &'a WrappedImage<2>);
 
 impl<'a, const FORMAT: u8> Between<'a, FORMAT> {
     /// The image that is shown.
     #[inline(always)]
-    pub(super) fn of(shown: &'a Shown) -> Option<Self> {
+    pub(crate) fn of(shown: &'a Shown) -> Option<Self> {
         Some(Self(shown, shown.image.flat()?))
     }
 }
@@ -46,7 +46,7 @@ impl<'a, const FORMAT: u8> Parts<2> for Between<'a, FORMAT> {
 }
 
 /// What all blocks of a run need.
-pub(super) struct TwoLevels<'a, const FORMAT: u8> {
+pub(crate) struct TwoLevels<'a, const FORMAT: u8> {
     form: Form<2>,
     repeats: [bool; 2],
     levels: [Level<'a, 2>; 2],
@@ -58,7 +58,7 @@ pub(super) struct TwoLevels<'a, const FORMAT: u8> {
 
 /// A channel of two levels, mixed and brought to 0..=1.
 #[inline(always)]
-pub(super) fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: &[f32; N]) -> [f32; N] {
+pub(crate) fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: &[f32; N]) -> [f32; N] {
     let mut out = [0.0; N];
     for i in 0..N {
         out[i] = lerp(near[i], far[i], fractions[i]) * INV_255;

@@ -3,22 +3,22 @@
 //! alive is gathered until there are 64 pixels, so that filters work on full blocks whatever the shape is and however much
 //! of it is hidden. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use super::along::{Extent, Points, Step};
-use super::batch::{FragmentBatch, Segment};
-use super::buffers::write;
-use super::compare::{Func, any, compare, digits};
-use super::coordinates::unit;
-use super::depth::WRITE;
-use super::depth_rows::{Slope, coarse, hidden, lanes};
-use super::detail::{self, Reads};
-use super::fill::{DEPTH, Part, Parts, Source};
-use super::fill_levels::Between;
-use super::fill_linear::Flat;
-use super::interpolate::primitive;
-use super::pack::Paint;
-use super::planes::Planes;
-use super::segments::row_origin;
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::compare::{Func, any, compare, digits};
+use crate::fragment::lod_bounds::{self, Reads};
+use crate::fragment::plane_eval::{Extent, Points, Step};
+use crate::fragment::planes::Planes;
+use crate::fragment::reference::depth::WRITE;
+use crate::fragment::reference::interpolate::primitive;
+use crate::fragment::reference::lanes::row_origin;
+use crate::fragment::reference::pack::Paint;
+use crate::fragment::reference::places::write;
+use crate::fragment::reference::texcoord::unit;
+use crate::fragment::span::depth::{Slope, coarse, hidden, lanes};
+use crate::fragment::span::levels::Between;
+use crate::fragment::span::long::{DEPTH, Part, Parts, Source};
+use crate::fragment::span::sampled::Flat;
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{BITS, LANES, stage};
 use crate::texture::filter::linear_rgba8::{RGB, RGBA};
 
@@ -246,7 +246,7 @@ fn textured<const K: usize, P: Parts<K>>(
     let Some(Some(slots)) = u.layout.units.get(of.unit() as usize) else { return };
     let Some(unit) = unit::<K>(w, first, slots, of.unit()) else { return };
     let reads = match u.levels.get(of.unit() as usize) {
-        Some(Some(levels)) => detail::of_rows(&b.tex, &unit, limits(rows, planes), levels),
+        Some(Some(levels)) => lod_bounds::of_rows(&b.tex, &unit, limits(rows, planes), levels),
         _ => Some(Reads::One(0)),
     };
     let Some(reads) = reads else { return };
@@ -358,8 +358,8 @@ fn painted(rows: &[Segment], (planes, paint): (&Planes, &Paint), u: &FragUniform
 }
 
 stage! {
-    /// [`FILL`](super::fill::FILL) of many rows, with a colour.
-    pub(super) fn ROWS_COLOR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    /// [`FILL`](crate::fragment::span::long::FILL) of many rows, with a colour.
+    pub(crate) fn ROWS_COLOR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         b.tex.n = 0;
         let rows = b.segments.get(..b.segment_count).unwrap_or(&[]);
         if let (Some(first), Some(slot)) = (rows.first(), u.layout.color)
@@ -372,38 +372,38 @@ stage! {
         }
     }
 
-    /// [`FILL_TEXELS`](super::fill::FILL_TEXELS) of many rows.
-    pub(super) fn ROWS_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    /// [`FILL_TEXELS`](crate::fragment::span::long::FILL_TEXELS) of many rows.
+    pub(crate) fn ROWS_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         textured(b, u, w, arg, u.copied.as_ref());
     }
 
-    /// [`FILL_RGB`](super::fill::FILL_RGB) of many rows.
-    pub(super) fn ROWS_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    /// [`FILL_RGB`](crate::fragment::span::long::FILL_RGB) of many rows.
+    pub(crate) fn ROWS_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
     }
 
     /// [`ROWS_RGB`] with four channels.
-    pub(super) fn ROWS_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn ROWS_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
     }
 
     /// [`ROWS_RGB`] with blending.
-    pub(super) fn ROWS_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn ROWS_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
     }
 
     /// [`ROWS_RGBA`] with blending.
-    pub(super) fn ROWS_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn ROWS_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
     }
 
     /// What [`ROWS_RGB`] leaves because two levels are blended.
-    pub(super) fn ROWS_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn ROWS_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         textured(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
     }
 
     /// What [`ROWS_RGBA`] leaves because two levels are blended.
-    pub(super) fn ROWS_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn ROWS_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         textured(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
     }
 }

@@ -2,20 +2,20 @@
 //! ones leave many segments of a few lanes; a chunk is computed whole in either case, so that it stays SIMD code, and
 //! what a chunk computes beyond its segment is overwritten by the next segment or belongs to no fragment.
 
-use super::batch::{FragmentBatch, Segment};
-use super::planes::{Linear, Planes};
+use crate::fragment::batch::{FragmentBatch, Segment};
+use crate::fragment::planes::{Linear, Planes};
 use crate::simd::LANES;
 use crate::texture::batch::Lanes;
 
 /// Lanes of a chunk.
-pub(super) const CHUNK: usize = 8;
+pub(crate) const CHUNK: usize = 8;
 
 /// Floats of a chunk.
-pub(super) type Chunk = [f32; CHUNK];
+pub(crate) type Chunk = [f32; CHUNK];
 
 /// What stands in a lane. Selecting by bits keeps loops over lanes SIMD code: `if` on values from memory becomes a choice
 /// between two addresses, lane by lane.
-pub(super) trait Lane: Copy + Default {
+pub(crate) trait Lane: Copy + Default {
     /// `a` where the mask is all ones, `b` where it is 0.
     fn select(mask: u32, a: Self, b: Self) -> Self;
 }
@@ -50,13 +50,13 @@ impl Lane for [f32; 4] {
 
 /// All ones or 0.
 #[inline(always)]
-pub(super) fn ones(yes: bool) -> u32 {
+pub(crate) fn ones(yes: bool) -> u32 {
     u32::from(yes).wrapping_neg()
 }
 
 /// Part of a segment: lanes `base..base + CHUNK`, of which those from `base + skip` on are to be written.
 #[derive(Clone, Copy)]
-pub(super) struct Piece {
+pub(crate) struct Piece {
     pub base: usize,
     pub skip: usize,
     /// Lanes that belong to the segment, from `base + skip` on.
@@ -76,18 +76,18 @@ static EDGE: [u32; 3 * CHUNK] = {
 
 /// All ones from lane `i` (at most 8) on.
 #[inline(always)]
-pub(super) fn from_lane(i: usize) -> &'static [u32; CHUNK] {
+pub(crate) fn from_lane(i: usize) -> &'static [u32; CHUNK] {
     EDGE.get((2 * CHUNK).wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
 }
 
 /// All ones before lane `i` (at most 8).
 #[inline(always)]
-pub(super) fn before_lane(i: usize) -> &'static [u32; CHUNK] {
+pub(crate) fn before_lane(i: usize) -> &'static [u32; CHUNK] {
     EDGE.get(CHUNK.wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
 }
 
 /// 0, 1, 2, ...
-pub(super) static IOTA: [f32; LANES] = {
+pub(crate) static IOTA: [f32; LANES] = {
     let mut iota = [0.0; LANES];
     let mut i = 0;
     while i < LANES {
@@ -99,13 +99,13 @@ pub(super) static IOTA: [f32; LANES] = {
 
 /// The pieces of a segment.
 #[inline(always)]
-pub(super) fn pieces(segment: &Segment) -> Pieces {
+pub(crate) fn pieces(segment: &Segment) -> Pieces {
     // `sanitise` has seen to it that the segment ends within the batch.
     Pieces { first: segment.start as usize, end: segment.start as usize + segment.len as usize }
 }
 
 /// Goes over the pieces of a segment.
-pub(super) struct Pieces {
+pub(crate) struct Pieces {
     first: usize,
     end: usize,
 }
@@ -130,7 +130,7 @@ impl Iterator for Pieces {
 /// Cuts segments that reach beyond the batch, and notes whether there are only dense lanes. What a careful rasteriser
 /// hands over stays as it is; the stages that follow rely on it.
 #[inline(always)]
-pub(super) fn sanitise(b: &mut FragmentBatch) {
+pub(crate) fn sanitise(b: &mut FragmentBatch) {
     let count = if b.segment_count > LANES { LANES } else { b.segment_count };
     b.segment_count = count;
     let mut dense = true;
@@ -148,19 +148,19 @@ pub(super) fn sanitise(b: &mut FragmentBatch) {
 
 /// Whether one row segment fills the batch from lane 0, so that stages may compute all lanes as one row.
 #[inline(always)]
-pub(super) fn single_row(b: &FragmentBatch) -> bool {
+pub(crate) fn single_row(b: &FragmentBatch) -> bool {
     b.segment_count == 1 && b.segments[0].row && b.segments[0].start == 0
 }
 
 /// A segment of the primitive that all lanes belong to, if it is one: then stages may compute the batch as a whole.
 #[inline(always)]
-pub(super) fn one_primitive(segments: &[Segment]) -> Option<Segment> {
+pub(crate) fn one_primitive(segments: &[Segment]) -> Option<Segment> {
     let first = segments.first()?;
     segments.iter().all(|s| s.prim == first.prim).then_some(*first)
 }
 
 /// Pixel positions of all lanes relative to the origin of their one primitive.
-pub(super) trait Positions {
+pub(crate) trait Positions {
     /// x of a lane.
     fn x(&self, lane: usize) -> f32;
     /// y of a lane.
@@ -168,7 +168,7 @@ pub(super) trait Positions {
 }
 
 /// Positions of a row.
-pub(super) struct Row {
+pub(crate) struct Row {
     x: f32,
     y: f32,
 }
@@ -176,7 +176,7 @@ pub(super) struct Row {
 impl Row {
     /// Those of a row segment that begins at lane 0.
     #[inline(always)]
-    pub(super) fn new(segment: &Segment, planes: &Planes) -> Self {
+    pub(crate) fn new(segment: &Segment, planes: &Planes) -> Self {
         let (x, y) = row_origin(segment, planes);
         Self { x: x as f32, y: y as f32 }
     }
@@ -195,7 +195,7 @@ impl Positions for Row {
 }
 
 /// Positions of several rows or of single pixels.
-pub(super) struct Rows {
+pub(crate) struct Rows {
     x: Lanes,
     y: Lanes,
 }
@@ -203,7 +203,7 @@ pub(super) struct Rows {
 impl Rows {
     /// Those of all segments of a batch; `lanes` are its x and y of segments that are no rows.
     #[inline(always)]
-    pub(super) fn new(segments: &[Segment], lanes: (&Lanes, &Lanes), planes: &Planes) -> Self {
+    pub(crate) fn new(segments: &[Segment], lanes: (&Lanes, &Lanes), planes: &Planes) -> Self {
         let mut rows = Self { x: [0.0; LANES], y: [0.0; LANES] };
         for segment in segments {
             for piece in pieces(segment) {
@@ -230,13 +230,13 @@ impl Positions for Rows {
 
 /// The lanes of a piece.
 #[inline(always)]
-pub(super) fn chunk<T: Copy + Default>(lanes: &[T; LANES], piece: Piece) -> [T; CHUNK] {
+pub(crate) fn chunk<T: Copy + Default>(lanes: &[T; LANES], piece: Piece) -> [T; CHUNK] {
     lanes.get(piece.base..).and_then(|l| l.first_chunk()).copied().unwrap_or([T::default(); CHUNK])
 }
 
 /// Writes the lanes of a piece.
 #[inline(always)]
-pub(super) fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHUNK]) {
+pub(crate) fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHUNK]) {
     let Some(out) = lanes.get_mut(piece.base..).and_then(|l| l.first_chunk_mut::<CHUNK>()) else { return };
     if piece.skip == 0 {
         *out = *value;
@@ -250,7 +250,7 @@ pub(super) fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHU
 
 /// Pixel positions of a piece relative to the primitive's origin.
 #[inline(always)]
-pub(super) fn positions(lanes: (&Lanes, &Lanes), segment: &Segment, planes: &Planes, piece: Piece) -> (Chunk, Chunk) {
+pub(crate) fn positions(lanes: (&Lanes, &Lanes), segment: &Segment, planes: &Planes, piece: Piece) -> (Chunk, Chunk) {
     if segment.row {
         let (x, y) = row_origin(segment, planes);
         // Whole numbers below 2^24: the sum is exact.
@@ -267,14 +267,14 @@ pub(super) fn positions(lanes: (&Lanes, &Lanes), segment: &Segment, planes: &Pla
 
 /// Position, relative to the primitive's origin, that lane 0 would have if the row segment began there.
 #[inline(always)]
-pub(super) fn row_origin(segment: &Segment, planes: &Planes) -> (i32, i32) {
+pub(crate) fn row_origin(segment: &Segment, planes: &Planes) -> (i32, i32) {
     let x = segment.x.wrapping_sub(planes.origin[0]).wrapping_sub(segment.start as i32);
     (x, segment.y.wrapping_sub(planes.origin[1]))
 }
 
 /// A linear function in `f32`, summed in the order that all paths share: (at + y dy) + x dx.
 #[inline(always)]
-pub(super) fn linear(at: f32, x: f32, y: f32, dx: &Chunk, dy: &Chunk) -> Chunk {
+pub(crate) fn linear(at: f32, x: f32, y: f32, dx: &Chunk, dy: &Chunk) -> Chunk {
     let mut out = [0.0; CHUNK];
     for i in 0..CHUNK {
         out[i] = (at + y * dy[i]) + x * dx[i];
@@ -284,7 +284,7 @@ pub(super) fn linear(at: f32, x: f32, y: f32, dx: &Chunk, dy: &Chunk) -> Chunk {
 
 /// The same in `f64`.
 #[inline(always)]
-pub(super) fn linear64(l: &Linear, dx: &Chunk, dy: &Chunk) -> [f64; CHUNK] {
+pub(crate) fn linear64(l: &Linear, dx: &Chunk, dy: &Chunk) -> [f64; CHUNK] {
     let mut out = [0.0; CHUNK];
     for i in 0..CHUNK {
         out[i] = (l.at + l.y * f64::from(dy[i])) + l.x * f64::from(dx[i]);

@@ -2,16 +2,16 @@
 //! after both were converted to the fixed-point numbers of the colour buffer, so what is compared here are bytes, rounded
 //! to the nearest as the store does. A float buffer has no such conversion; there floats are compared.
 
-use super::batch::FragmentBatch;
-use super::compare::{Func, any, compare};
-use super::pack::byte;
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::compare::{Func, any, compare};
+use crate::fragment::reference::pack::byte;
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::clamp01;
 use crate::simd::{LANES, stage};
 
 stage! {
     /// The alpha test on bytes.
-    pub(super) fn ALPHA_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn ALPHA_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let mut alpha = [0; LANES];
         for i in 0..LANES {
             alpha[i] = byte(b.tex.previous[3][i]);
@@ -21,7 +21,7 @@ stage! {
     }
 
     /// The alpha test on floats.
-    pub(super) fn ALPHA_TEST_FLOAT: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn ALPHA_TEST_FLOAT: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let mut alpha = [0.0; LANES];
         for i in 0..LANES {
             alpha[i] = clamp01(b.tex.previous[3][i]);

@@ -1,16 +1,16 @@
-//! Runs of a row, as those of [`fill_linear`](super::fill_linear), of programs with two units (OpenGL 1.5, section 3.8.14): a
+//! Runs of a row, as those of [`fill_linear`](crate::fragment::span::sampled), of programs with two units (OpenGL 1.5, section 3.8.14): a
 //! linearly filtered image, of one level or between two, and one without levels whose colour is multiplied with what the
 //! first one gives, as light maps are. Every number comes from the same expressions as in the stages of batches, so the bits
 //! are the same.
 
-use super::along::{Along, Divisor, Form, Place};
-use super::coordinates::unit;
-use super::detail::Reads;
-use super::fill::{Part, Parts, Source};
-use super::fill_levels::mixed;
-use super::fill_linear::{Environment, Level, Shown, divided, primary};
-use super::mixing::Mixing;
-use super::uniforms::{FragUniforms, Work};
+use crate::fragment::lod_bounds::Reads;
+use crate::fragment::plane_eval::{Along, Divisor, Form, Place};
+use crate::fragment::reference::texcoord::unit;
+use crate::fragment::span::levels::mixed;
+use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::span::mip_fraction::Mixing;
+use crate::fragment::span::sampled::{Environment, Level, Shown, divided, primary};
+use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
 use crate::texture::filter::linear_rgba8::RGB;
 use crate::texture::uniforms::WrappedImage;
@@ -25,7 +25,7 @@ pub struct Last {
 }
 
 /// Two images of three channels.
-pub(super) struct TwoImages<'a> {
+pub(crate) struct TwoImages<'a> {
     shown: &'a Shown,
     first: &'a WrappedImage<2>,
     last: &'a Last,
@@ -34,7 +34,7 @@ pub(super) struct TwoImages<'a> {
 impl<'a> TwoImages<'a> {
     /// Those of a program.
     #[inline(always)]
-    pub(super) fn of(u: &'a FragUniforms) -> Option<Self> {
+    pub(crate) fn of(u: &'a FragUniforms) -> Option<Self> {
         let shown = u.shown.as_ref()?;
         Some(Self { shown, first: shown.image.flat()?, last: u.last.as_ref()? })
     }
@@ -83,14 +83,14 @@ impl<'a> Filtered<'a> {
         form: Form<2>,
         image: &'a WrappedImage<2>,
         level: u32,
-        unit: &super::coordinates::Unit<'_, 2>,
+        unit: &crate::fragment::reference::texcoord::Unit<'_, 2>,
     ) -> Option<Self> {
         Some(Self { form, repeats: image.repeats, level: Level::new(image, level, unit)? })
     }
 }
 
 /// What all blocks of a run need.
-pub(super) struct TwoUnits<'a> {
+pub(crate) struct TwoUnits<'a> {
     first: Filtered<'a>,
     /// The level after that, and how much of it.
     between: Option<(Level<'a, 2>, Mixing<2>)>,

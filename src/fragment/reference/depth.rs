@@ -2,12 +2,12 @@
 //! and the depth test. Depth is linear in the window, so it is summed in `f64` and rounded once; the same primitive drawn
 //! with other state gets the same integers, which EQUAL relies on.
 
-use super::batch::FragmentBatch;
-use super::buffers::{fresh_mask, load, places, store};
-use super::compare::{Func, any, compare};
-use super::depth_rows::Slope;
-use super::segments::{CHUNK, linear64, pieces, positions, put, row_origin, single_row};
-use super::uniforms::{FragFn, FragUniforms, Work};
+use crate::fragment::batch::FragmentBatch;
+use crate::fragment::compare::{Func, any, compare};
+use crate::fragment::reference::lanes::{CHUNK, linear64, pieces, positions, put, row_origin, single_row};
+use crate::fragment::reference::places::{fresh_mask, load, places, store};
+use crate::fragment::span::depth::Slope;
+use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
 
 /// 2^52: a float whose unit in the last place is 1, so that the low half of its bits is the rounded integer.
@@ -15,7 +15,7 @@ const WHOLE: f64 = 4_503_599_627_370_496.0;
 
 /// A depth as an integer of the buffer: limited to 0..=max (NaN gives 0), rounded to the nearest, ties to even.
 #[inline(always)]
-pub(super) fn quantise(z: f64, max: f64) -> u32 {
+pub(crate) fn quantise(z: f64, max: f64) -> u32 {
     let z = if z > 0.0 { z } else { 0.0 };
     let z = if z < max { z } else { max };
     whole(z)
@@ -23,16 +23,16 @@ pub(super) fn quantise(z: f64, max: f64) -> u32 {
 
 /// A depth that is within the limits, rounded.
 #[inline(always)]
-pub(super) fn whole(z: f64) -> u32 {
+pub(crate) fn whole(z: f64) -> u32 {
     (z + WHOLE).to_bits() as u32
 }
 
 /// Bit of [`DEPTH_TEST`]'s number: depths are written. The function stands above it.
-pub(super) const WRITE: u32 = 1;
+pub(crate) const WRITE: u32 = 1;
 
 /// The depth of each fragment.
 #[inline(always)]
-pub(super) fn depths(b: &mut FragmentBatch, u: &FragUniforms, w: &Work<'_, '_>) {
+pub(crate) fn depths(b: &mut FragmentBatch, u: &FragUniforms, w: &Work<'_, '_>) {
     let max = u.depth_max;
     if single_row(b)
         && let Some(planes) = w.planes.get(b.segments[0].prim as usize)
@@ -58,7 +58,7 @@ pub(super) fn depths(b: &mut FragmentBatch, u: &FragUniforms, w: &Work<'_, '_>) 
 
 /// The depth test, and with [`WRITE`] the new depths of the fragments that pass.
 #[inline(always)]
-pub(super) fn test(b: &mut FragmentBatch, w: &mut Work<'_, '_>, arg: u32) {
+pub(crate) fn test(b: &mut FragmentBatch, w: &mut Work<'_, '_>, arg: u32) {
     load(places!(b), w.band.depth, &mut b.depth);
     compare(Func::from_arg(arg >> 1), &b.z, &b.depth, &mut b.tex.mask);
     b.alive = any(&b.tex.mask);
@@ -69,22 +69,22 @@ pub(super) fn test(b: &mut FragmentBatch, w: &mut Work<'_, '_>, arg: u32) {
 
 stage! {
     /// All lanes in use are alive.
-    pub(super) fn BEGIN: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn BEGIN: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         fresh_mask(b);
     }
 
     /// The depth of each fragment.
-    pub(super) fn DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         depths(b, u, w);
     }
 
     /// The depth test, and with [`WRITE`] the new depths of the fragments that pass.
-    pub(super) fn DEPTH_TEST: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn DEPTH_TEST: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         test(b, w, arg);
     }
 
     /// Counts the fragments that passed, for an occlusion query.
-    pub(super) fn COUNT_SAMPLES: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn COUNT_SAMPLES: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let mut passed = 0;
         for m in &b.tex.mask {
             passed += m & 1;
@@ -93,7 +93,7 @@ stage! {
     }
 
     /// The new depths of the fragments that have passed all tests.
-    pub(super) fn DEPTH_WRITE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn DEPTH_WRITE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         store(places!(b), &b.tex.mask, &b.z, w.band.depth);
     }
 }
