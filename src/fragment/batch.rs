@@ -1,7 +1,7 @@
 //! Sixty-four fragments as structures of arrays. The rasteriser appends *segments*: runs of lanes that belong to one
 //! primitive. Stages that need the primitive (interpolation) walk the segments; all others see 64 lanes.
 
-use crate::fragment::lod_bounds::Ahead;
+use crate::fragment::lod_bounds::LodLookahead;
 use crate::simd::LANES;
 use crate::texture::batch::{Lanes, TexBatch};
 
@@ -72,11 +72,11 @@ pub struct FragmentBatch {
     /// How many segments are in use.
     pub segment_count: usize,
     /// What is known of the run that the batch is a part of.
-    pub ahead: Ahead,
+    pub lookahead: LodLookahead,
     /// Whether `rw64` is that of this batch.
     pub has_rw64: bool,
     /// Whether no segment is a row; programs find out themselves.
-    pub dense: bool,
+    pub scattered: bool,
     /// Whether a fragment is still alive after the last test.
     pub alive: bool,
 }
@@ -103,10 +103,10 @@ impl FragmentBatch {
             packed_dst: [0; LANES],
             packed: [0; LANES],
             coverage: Z,
-            ahead: Ahead::default(),
+            lookahead: LodLookahead::default(),
             rw64: [0.0; LANES],
             has_rw64: false,
-            dense: false,
+            scattered: false,
             alive: false,
             tex: TexBatch::new(),
         }

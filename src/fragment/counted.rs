@@ -26,7 +26,7 @@ impl Program {
     /// The same program, which from now on counts what it does.
     #[must_use]
     pub fn counted(mut self, tally: &Tally) -> Self {
-        (self.fill, self.rows, self.hidden, self.light) = (None, [None, None], None, false);
+        (self.fill, self.rows, self.hiz_cull, self.untextured) = (None, [None, None], None, false);
         self.tally = Some(Tally::clone(tally));
         self
     }

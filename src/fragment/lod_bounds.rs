@@ -34,7 +34,7 @@ struct Span {
 
 /// What is known of the run that a batch is a part of.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Ahead {
+pub struct LodLookahead {
     /// Pixels from the batch's first one to the end of the run; 0 where the batch is no part of one.
     left: u32,
     /// For each unit the level of the next pixels, and how many are left of the run when it is no more known.
@@ -45,10 +45,10 @@ pub struct Ahead {
     blended: u32,
     /// What a stage for whole runs was told of the next pixels, so that it need not be asked again by the one that does
     /// them: how many are left of the run, what they read, and how many do.
-    told: Option<(u32, Reads, u32)>,
+    told: Option<(u32, MipRange, u32)>,
 }
 
-impl Ahead {
+impl LodLookahead {
     /// A run begins.
     #[inline(always)]
     pub(crate) fn begin(&mut self, len: u32) {
@@ -88,7 +88,7 @@ pub(crate) enum Axis {
 
 /// How much is read of the second of two levels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Share {
+pub(crate) enum MipWeight {
     /// So much everywhere.
     Same(f32),
     /// What rho tells, along this axis.
@@ -97,11 +97,11 @@ pub(crate) enum Share {
 
 /// What a part of a run reads.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Reads {
+pub(crate) enum MipRange {
     /// One level.
     One(u32),
     /// This level and the next one.
-    Two(u32, Share),
+    Two(u32, MipWeight),
 }
 
 /// What is known of a span.
@@ -168,7 +168,7 @@ fn limits<const K: usize, const SEVERAL: bool>(unit: &Unit<'_, K>, span: Span, s
 /// long from (x, y) on, relative to the primitive's origin.
 #[inline(always)]
 pub(crate) fn of_row<const K: usize>(
-    ahead: &mut Ahead,
+    lookahead: &mut LodLookahead,
     index: usize,
     b: &TexBatch,
     unit: &Unit<'_, K>,
@@ -176,25 +176,25 @@ pub(crate) fn of_row<const K: usize>(
     levels: &Levels,
 ) -> Detail {
     let index = index % MAX_TEXTURE_UNITS;
-    let Some(after) = ahead.left.checked_sub(len) else { return Detail::Lanes };
-    let (level, end) = ahead.levels[index];
+    let Some(after) = lookahead.left.checked_sub(len) else { return Detail::Lanes };
+    let (level, end) = lookahead.levels[index];
     if after >= end {
         return Detail::Level(level);
     }
-    if (ahead.blended >> index) & 1 != 0 {
+    if (lookahead.blended >> index) & 1 != 0 {
         return Detail::Lanes;
     }
-    let reach = ahead.reach[index].max(len);
-    let pixels = if reach < ahead.left { reach } else { ahead.left };
+    let reach = lookahead.reach[index].max(len);
+    let pixels = if reach < lookahead.left { reach } else { lookahead.left };
     match reads::<K, false>(b, unit, along(x, y, pixels), levels) {
-        Some(Reads::One(level)) => {
-            ahead.levels[index] = (level, ahead.left - pixels);
-            ahead.reach[index] = (2 * reach).min(FARTHEST);
+        Some(MipRange::One(level)) => {
+            lookahead.levels[index] = (level, lookahead.left - pixels);
+            lookahead.reach[index] = (2 * reach).min(FARTHEST);
             Detail::Level(level)
         }
         _ => {
-            ahead.reach[index] = pixels / 2;
-            ahead.blended |= u32::from(levels.blends) << index;
+            lookahead.reach[index] = pixels / 2;
+            lookahead.blended |= u32::from(levels.blends) << index;
             Detail::Lanes
         }
     }
@@ -204,24 +204,24 @@ pub(crate) fn of_row<const K: usize>(
 /// tell for as many as a batch has.
 #[inline(always)]
 pub(crate) fn part<const K: usize>(
-    ahead: &mut Ahead,
+    lookahead: &mut LodLookahead,
     index: u32,
     b: &TexBatch,
     unit: &Unit<'_, K>,
     (x, y, left): (i32, i32, u32),
     levels: &Levels,
-) -> Option<(Reads, u32)> {
-    if let Some((at, reads, pixels)) = ahead.told
+) -> Option<(MipRange, u32)> {
+    if let Some((at, reads, pixels)) = lookahead.told
         && at == left
     {
         return Some((reads, pixels));
     }
-    let reach = ahead.reach.get_mut(index as usize)?;
+    let reach = lookahead.reach.get_mut(index as usize)?;
     loop {
         let pixels = (*reach).max(LANES as u32).min(left);
         if let Some(reads) = reads::<K, false>(b, unit, along(x, y, pixels), levels) {
             *reach = (2 * *reach).clamp(LANES as u32, FARTHEST);
-            ahead.told = Some((left, reads, pixels));
+            lookahead.told = Some((left, reads, pixels));
             return Some((reads, pixels));
         }
         *reach = pixels / 2;
@@ -245,7 +245,7 @@ pub(crate) fn of_rows<const K: usize>(
     unit: &Unit<'_, K>,
     [x, y]: [[i32; 2]; 2],
     levels: &Levels,
-) -> Option<Reads> {
+) -> Option<MipRange> {
     reads::<K, true>(b, unit, Span { x: x.map(f64::from), y: y.map(f64::from) }, levels)
 }
 
@@ -256,17 +256,17 @@ fn reads<const K: usize, const SEVERAL: bool>(
     unit: &Unit<'_, K>,
     span: Span,
     levels: &Levels,
-) -> Option<Reads> {
+) -> Option<MipRange> {
     // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
     if is_even(unit)
         && let Some((level, share)) = levels.exactly(even_rho2(unit, levels))
     {
-        return Some(share.map_or(Reads::One(level), |share| Reads::Two(level, Share::Same(share))));
+        return Some(share.map_or(MipRange::One(level), |share| MipRange::Two(level, MipWeight::Same(share))));
     }
     let Limits { rho2, axis } = limits::<K, SEVERAL>(unit, span, &levels.scale)?;
     match levels.only(b, rho2) {
-        Some(level) => Some(Reads::One(level)),
-        None => Some(Reads::Two(levels.first_of_two(rho2)?, Share::By(axis))),
+        Some(level) => Some(MipRange::One(level)),
+        None => Some(MipRange::Two(levels.first_of_two(rho2)?, MipWeight::By(axis))),
     }
 }
 

@@ -271,7 +271,7 @@ impl Extent {
 
 /// How the K coordinates of a unit come about.
 #[derive(Clone, Copy)]
-pub(crate) enum Form<const K: usize> {
+pub(crate) enum Projection<const K: usize> {
     /// w is the same everywhere.
     Even([Along<f32>; K]),
     /// They are divided by D.
@@ -280,7 +280,7 @@ pub(crate) enum Form<const K: usize> {
     Wide([Along<f64>; K], Divisor<f64>, bool),
 }
 
-impl<const K: usize> Form<K> {
+impl<const K: usize> Projection<K> {
     /// Coordinates of pixels, relative to the primitive's origin.
     #[inline(always)]
     pub(crate) fn new(unit: &Unit<'_, K>, extent: Extent) -> Self {
@@ -401,7 +401,7 @@ mod tests {
             let planes = Planes { d: divisor, ..Planes::default() };
             let coords = [plane];
             let unit = Unit { planes: &planes, coords: &coords, divisor, has_q: false, wide: true };
-            let Form::Wide(_, _, free) = Form::new(&unit, Extent::Row(run)) else { panic!("wide") };
+            let Projection::Wide(_, _, free) = Projection::new(&unit, Extent::Row(run)) else { panic!("wide") };
             let fits = (run.x[0]..=run.x[1]).all(|x| {
                 let v = at(&plane, x);
                 v >= f64::from(plane.min) && v <= f64::from(plane.max)

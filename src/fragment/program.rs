@@ -102,13 +102,13 @@ pub struct Program {
     /// The stage that does rows of a primitive that are too short for those two, and the one that does what it leaves.
     pub(super) rows: [Option<Step<FragFn>>; 2],
     /// Whether the stage for whole runs reads no texture.
-    pub(super) light: bool,
+    pub(super) untextured: bool,
     /// Whether the stages for whole runs leave parts of which batches must find out the levels.
     pub(super) levelled: bool,
     /// The stage that says which pixels of a run the coarse depths hide.
-    pub(super) hidden: Option<Step<FragFn>>,
+    pub(super) hiz_cull: Option<Step<FragFn>>,
     /// The stage that tells the coarse depths of what a run has left behind.
-    pub(super) look: Option<Step<FragFn>>,
+    pub(super) hiz_update: Option<Step<FragFn>>,
     /// Whether depths may be raised, after which the coarse depths mean nothing.
     pub(super) raises_depth: bool,
     pub(super) samplers: Vec<Sampler>,
@@ -185,7 +185,7 @@ impl Program {
     /// Runs of a row from this length on may be given to [`row`](Self::row).
     #[must_use]
     pub fn row_from(&self) -> u32 {
-        match (&self.fill, self.light) {
+        match (&self.fill, self.untextured) {
             (Some(_), true) => FILLED,
             (Some(_), false) => SHOWN,
             _ => SPLIT,
@@ -195,7 +195,7 @@ impl Program {
     /// Shorter runs than this may be collected, those of one primitive at a time, and given to [`rows`](Self::rows).
     #[must_use]
     pub fn rows_below(&self) -> u32 {
-        match (&self.rows[0], self.light, &self.uniforms.copied) {
+        match (&self.rows[0], self.untextured, &self.uniforms.copied) {
             (None, ..) => 0,
             (_, true, _) => PAINTED,
             (.., Some(_)) => SHOWN,
@@ -235,7 +235,7 @@ impl Program {
     pub fn weight(&self, planes: &Planes, pool: PlanePool<'_>) -> u64 {
         let Some(fill) = self.fill else { return ORDINARY };
         let depth = if fill.arg & DEPTH == 0 { 0 } else { 2 };
-        let color = match (self.light, &self.uniforms.copied) {
+        let color = match (self.untextured, &self.uniforms.copied) {
             (true, _) if fill.arg & COLOR == 0 || self.has_one_color(planes, pool) => 1,
             (true, _) => 4,
             (_, Some(_)) => 6,
@@ -272,12 +272,12 @@ impl Program {
             band.coarse.forget();
         }
         let (mut done, mut fill) = (0, self.fill.as_ref());
-        if self.light
+        if self.untextured
             && let Some(step) = fill
         {
             return self.measure(step, batch, rest(0), Work { planes, pool, band });
         }
-        if let (Some(_), Some(step)) = (fill, &self.hidden) {
+        if let (Some(_), Some(step)) = (fill, &self.hiz_cull) {
             // Before anything is worked out for a run that may be hidden as a whole.
             done = self.measure(step, batch, rest(0), Work { planes, pool, band });
             if done == len {
@@ -287,15 +287,15 @@ impl Program {
         // The first pixel that was worked on, and the first after those that were.
         let (mut first, mut last) = (len, 0);
         batch.alive = false;
-        batch.ahead.begin(len - done);
+        batch.lookahead.begin(len - done);
         loop {
             if let Some(step) = fill {
                 let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
-                batch.ahead.advance(filled);
+                batch.lookahead.advance(filled);
                 done += filled;
                 if let Some(step) = self.fill_levels.as_ref().filter(|_| done < len) {
                     let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
-                    batch.ahead.advance(filled);
+                    batch.lookahead.advance(filled);
                     done += filled;
                 }
                 // What was in its way for one batch may not be for the next one, where it has to know the level.
@@ -304,12 +304,12 @@ impl Program {
             if len - done < SPLIT {
                 break;
             }
-            if let Some(step) = &self.hidden
+            if let Some(step) = &self.hiz_cull
                 && !batch.alive
             {
                 // At the start of the run and where nothing was alive, something may be hidden.
                 let skipped = self.measure(step, batch, rest(done), Work { planes, pool, band });
-                batch.ahead.advance(skipped);
+                batch.lookahead.advance(skipped);
                 done += skipped;
             }
             let n = (len - done).min(LANES as u32);
@@ -318,14 +318,14 @@ impl Program {
                 batch.segment_count = 1;
                 batch.tex.n = n as usize;
                 self.run(batch, planes, pool, band);
-                batch.ahead.advance(n);
+                batch.lookahead.advance(n);
                 first = first.min(done);
                 done += n;
                 last = done;
             }
         }
-        batch.ahead.begin(0);
-        if let Some(step) = &self.look
+        batch.lookahead.begin(0);
+        if let Some(step) = &self.hiz_update
             && first < last
         {
             let run = Segment { len: last - first, ..rest(first) };

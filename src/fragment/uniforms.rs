@@ -69,7 +69,7 @@ pub struct StencilUniforms {
 /// The numbers of blending.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BlendUniforms {
-    /// Source factors of RGB and alpha.
+    /// SpanShader factors of RGB and alpha.
     pub src: [Factor; 2],
     /// Destination factors of RGB and alpha.
     pub dst: [Factor; 2],

@@ -84,10 +84,10 @@ impl Program {
             fill: None,
             fill_levels: None,
             rows: [None, None],
-            light: false,
+            untextured: false,
             levelled: false,
-            hidden: None,
-            look: None,
+            hiz_cull: None,
+            hiz_update: None,
             raises_depth: false,
             samplers: Vec::new(),
             environments: None,
@@ -332,8 +332,8 @@ impl Builder<'_> {
         self.program.reads_framebuffer = true;
         if span::depth::coarse(func) {
             let step = |stage: &Stage<FragFn>| stage.step(self.level, arg);
-            self.program.hidden = Some(step(&span::depth::HIDDEN));
-            self.program.look = depth_write.then(|| step(&span::depth::LOOK));
+            self.program.hiz_cull = Some(step(&span::depth::HIZ_CULL));
+            self.program.hiz_update = depth_write.then(|| step(&span::depth::HIZ_UPDATE));
             let reason = "what lies behind whole blocks fails before any depth is read";
             self.decide("coarse depth test", Fate::Kept, reason);
         } else {
@@ -346,7 +346,7 @@ impl Builder<'_> {
         if tests.stencil.is_some() || (tests.depth.is_none() && color == 0) {
             return;
         }
-        self.program.light = true;
+        self.program.untextured = true;
         let reason = "only depth and an interpolated colour: one stage does whole runs of a row";
         self.fill_runs(&long::FILL, tests, color, reason);
         if tests.depth.is_some() && color != 0 {
@@ -408,7 +408,7 @@ impl Builder<'_> {
         self.program.fill = Some(stage.step(self.level, depth | flags));
         // Where levels are blended, they are so up to the end of a run, as a rule.
         let nearest = |levels: &Option<Levels>| levels.as_ref().is_some_and(|levels| !levels.blends);
-        self.program.levelled = !self.program.light && self.program.uniforms.levels.iter().any(nearest);
+        self.program.levelled = !self.program.untextured && self.program.uniforms.levels.iter().any(nearest);
         self.decide("long runs", Fate::Hoisted, reason);
     }
 

@@ -127,13 +127,13 @@ impl Iterator for Pieces {
     }
 }
 
-/// Cuts segments that reach beyond the batch, and notes whether there are only dense lanes. What a careful rasteriser
+/// Cuts segments that reach beyond the batch, and notes whether there are only scattered lanes. What a careful rasteriser
 /// hands over stays as it is; the stages that follow rely on it.
 #[inline(always)]
 pub(crate) fn sanitise(b: &mut FragmentBatch) {
     let count = if b.segment_count > LANES { LANES } else { b.segment_count };
     b.segment_count = count;
-    let mut dense = true;
+    let mut scattered = true;
     for segment in &mut b.segments[..count] {
         // Written only where it must be: what was just written is read again at once.
         let room = (LANES as u32).saturating_sub(segment.start);
@@ -141,9 +141,9 @@ pub(crate) fn sanitise(b: &mut FragmentBatch) {
             segment.start = segment.start.min(LANES as u32);
             segment.len = segment.len.min(room);
         }
-        dense &= !segment.row;
+        scattered &= !segment.row;
     }
-    b.dense = dense;
+    b.scattered = scattered;
 }
 
 /// Whether one row segment fills the batch from lane 0, so that stages may compute all lanes as one row.

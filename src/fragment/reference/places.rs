@@ -12,7 +12,7 @@ pub(crate) struct Places<'a> {
     pub segments: &'a [Segment],
     pub offset: &'a [u32; LANES],
     /// No segment is a row: lanes `0..n` are where `offset` says.
-    pub dense: bool,
+    pub scattered: bool,
     pub n: usize,
 }
 
@@ -22,7 +22,7 @@ macro_rules! places {
         $crate::fragment::reference::places::Places {
             segments: $b.segments.get(..$b.segment_count).unwrap_or(&[]),
             offset: &$b.offset,
-            dense: $b.dense,
+            scattered: $b.scattered,
             n: $b.tex.n,
         }
     };
@@ -44,14 +44,14 @@ fn run_start(segment: &Segment, piece: Piece) -> Option<usize> {
     (segment.offset as usize + piece.base).checked_sub(segment.start as usize)
 }
 
-/// Reads the lanes' pixels; pixels outside the band read as the default.
+/// MipRange the lanes' pixels; pixels outside the band read as the default.
 #[inline(always)]
 pub(crate) fn load<T: Lane>(places: Places<'_>, from: &[T], to: &mut [T; LANES]) {
     if let Some(run) = one_row(places.segments).and_then(|at| from.get(at..)).and_then(|r| r.first_chunk()) {
         *to = *run;
         return;
     }
-    if places.dense {
+    if places.scattered {
         for (to, at) in to.iter_mut().zip(places.offset).take(places.n) {
             *to = match from.get(*at as usize) {
                 Some(v) => *v,
@@ -110,7 +110,7 @@ pub(crate) fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T;
         write(all(mask), mask, from, run);
         return;
     }
-    if places.dense {
+    if places.scattered {
         for ((from, at), mask) in from.iter().zip(places.offset).zip(mask).take(places.n) {
             if *mask != 0
                 && let Some(pixel) = to.get_mut(*at as usize)

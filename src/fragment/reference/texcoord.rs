@@ -304,7 +304,7 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, u: &FragUniforms, w: &Work
             {
                 let (x, y) = row_origin(&segment, unit.planes);
                 b.tex.detail =
-                    lod_bounds::of_row(&mut b.ahead, index as usize, &b.tex, &unit, (x, y, segment.len), levels);
+                    lod_bounds::of_row(&mut b.lookahead, index as usize, &b.tex, &unit, (x, y, segment.len), levels);
                 derivatives &= b.tex.detail == Detail::Lanes;
             }
             whole(b, &unit, &Row::new(&segment, unit.planes), slots, first, derivatives);

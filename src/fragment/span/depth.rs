@@ -92,7 +92,7 @@ pub(crate) fn coarse(func: Func) -> bool {
 
 /// How many pixels of a run, from its start on, fail the test because their blocks are nearer.
 #[inline(always)]
-pub(crate) fn hidden(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, func: Func) -> u32 {
+pub(crate) fn hiz_cull(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, func: Func) -> u32 {
     let Ok(start) = usize::try_from(run.x) else { return 0 };
     let least = slope.least(x, x.wrapping_add(run.len.wrapping_sub(1).cast_signed()));
     let end = start.saturating_add(run.len as usize);
@@ -108,7 +108,7 @@ pub(crate) fn hidden(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, func
 
 /// Tells the coarse buffer of the blocks that the first `len` pixels of a run touch.
 #[inline(always)]
-pub(crate) fn look(band: &mut Band<'_>, run: &Segment, len: usize) {
+pub(crate) fn hiz_update(band: &mut Band<'_>, run: &Segment, len: usize) {
     let (Ok(x), row) = (usize::try_from(run.x), band.memory_row(run.y)) else { return };
     let Some(start) = (run.offset as usize).checked_sub(x) else { return };
     let Some(depths) = band.depth.get(start..).map(|d| d.get(..band.width as usize).unwrap_or(d)) else { return };
@@ -155,7 +155,7 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
     let mut z = [0; LANES];
     slope.depths(x, &mut z);
     b.tex.n = n as usize;
-    b.dense = false;
+    b.scattered = false;
     if n == LANES as u32 && holds(func, &z, depth) {
         b.alive = true;
         if arg & WRITE != 0 {
@@ -187,19 +187,19 @@ stage! {
     }
 
     /// How many pixels of the run of the first segment, of any length, may be skipped from its start on; in `tex.n`.
-    pub(crate) fn HIDDEN: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub(crate) fn HIZ_CULL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let segment = b.segments[0];
         b.tex.n = 0;
         if let Some(planes) = w.planes.get(segment.prim as usize) {
             let (x, y) = row_origin(&segment, planes);
             let slope = Slope::new(&planes.z, y, u.depth_max);
-            b.tex.n = hidden(w.band, &segment, &slope, x, Func::from_arg(arg >> 1)) as usize;
+            b.tex.n = hiz_cull(w.band, &segment, &slope, x, Func::from_arg(arg >> 1)) as usize;
         }
     }
 
     /// Tells the coarse buffer of what the run of the first segment has left behind.
-    pub(crate) fn LOOK: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub(crate) fn HIZ_UPDATE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let run = b.segments[0];
-        look(w.band, &run, run.len as usize);
+        hiz_update(w.band, &run, run.len as usize);
     }
 }

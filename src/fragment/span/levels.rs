@@ -3,9 +3,9 @@
 //! texels and their mix follow each other block by block. Every number comes from the same expressions as in the stages of
 //! batches, so the bits are the same.
 
-use crate::fragment::lod_bounds::Reads;
-use crate::fragment::plane_eval::{Divisor, Form, Place};
-use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::lod_bounds::MipRange;
+use crate::fragment::plane_eval::{Divisor, Place, Projection};
+use crate::fragment::span::long::{Part, Parts, SpanShader};
 use crate::fragment::span::mip_fraction::Mixing;
 use crate::fragment::span::sampled::{Environment, Level, Shown, divided};
 use crate::fragment::uniforms::{FragUniforms, Work};
@@ -25,7 +25,7 @@ impl<'a, const FORMAT: u8> Between<'a, FORMAT> {
 }
 
 impl<'a, const FORMAT: u8> Parts<2> for Between<'a, FORMAT> {
-    type Source = TwoLevels<'a, FORMAT>;
+    type SpanShader = TwoLevels<'a, FORMAT>;
 
     #[inline(always)]
     fn unit(&self) -> u32 {
@@ -33,13 +33,13 @@ impl<'a, const FORMAT: u8> Parts<2> for Between<'a, FORMAT> {
     }
 
     #[inline(always)]
-    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::Source> {
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::SpanShader> {
         let Part { segment, extent, unit, reads } = part;
-        let &Reads::Two(first, share) = reads else { return None };
+        let &MipRange::Two(first, share) = reads else { return None };
         let environment = Environment::of_run::<FORMAT, 2>(u, w, segment, *extent, unit, self.0)?;
         let mixing = Mixing::new(unit, u.levels.get(self.0.unit as usize)?.as_ref()?, first, share)?;
         let levels = [Level::new(self.1, first, unit)?, Level::new(self.1, first + 1, unit)?];
-        let form = Form::new(unit, *extent);
+        let form = Projection::new(unit, *extent);
         let d = environment.divisor(form.divides(), unit.planes, *extent);
         Some(TwoLevels { form, repeats: self.1.repeats, levels, mixing, environment, d })
     }
@@ -47,7 +47,7 @@ impl<'a, const FORMAT: u8> Parts<2> for Between<'a, FORMAT> {
 
 /// What all blocks of a run need.
 pub(crate) struct TwoLevels<'a, const FORMAT: u8> {
-    form: Form<2>,
+    form: Projection<2>,
     repeats: [bool; 2],
     levels: [Level<'a, 2>; 2],
     mixing: Mixing<2>,
@@ -66,7 +66,7 @@ pub(crate) fn mixed<const N: usize>(near: &[f32; N], far: &[f32; N], fractions: 
     out
 }
 
-impl<const FORMAT: u8> Source for TwoLevels<'_, FORMAT> {
+impl<const FORMAT: u8> SpanShader for TwoLevels<'_, FORMAT> {
     #[inline(always)]
     fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         let mut rw = [1.0; N];

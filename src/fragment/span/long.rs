@@ -5,7 +5,7 @@
 
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::compare::{Func, compare, holds, living};
-use crate::fragment::lod_bounds::{self, Reads};
+use crate::fragment::lod_bounds::{self, MipRange};
 use crate::fragment::plane_eval::{self, Extent, From, Place};
 use crate::fragment::planes::Planes;
 use crate::fragment::reference::depth::WRITE;
@@ -14,7 +14,7 @@ use crate::fragment::reference::lanes::row_origin;
 use crate::fragment::reference::pack::Paint;
 use crate::fragment::reference::places::write;
 use crate::fragment::reference::texcoord::{Unit, unit};
-use crate::fragment::span::depth::{Slope, coarse, hidden, lanes, look};
+use crate::fragment::span::depth::{Slope, coarse, hiz_cull, hiz_update, lanes};
 use crate::fragment::span::levels::Between;
 use crate::fragment::span::sampled::{Flat, Solid};
 use crate::fragment::span::two_units::TwoImages;
@@ -32,7 +32,7 @@ const LOOK_FROM: usize = 32;
 const SHORT: usize = 16;
 
 /// What gives a run its colours.
-pub(crate) trait Source {
+pub(crate) trait SpanShader {
     /// Whether what is there before is blended with.
     const BLENDS: bool = false;
 
@@ -59,14 +59,14 @@ pub(crate) trait Source {
 /// The same pixel everywhere.
 struct Same(u32);
 
-impl Source for Same {
+impl SpanShader for Same {
     #[inline(always)]
     fn pixels<const N: usize>(&self, _place: impl Place<N>, out: &mut [u32; N]) {
         *out = [self.0; N];
     }
 }
 
-impl Source for Paint {
+impl SpanShader for Paint {
     #[inline(always)]
     fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         Paint::pixels(self, place, out);
@@ -90,7 +90,7 @@ enum Block {
     Outside,
 }
 
-impl<S: Source> Run<S> {
+impl<S: SpanShader> Run<S> {
     /// `N` pixels from `at` on, of which the first `n` are of the run; lane 0 is at `x`, relative to the primitive's
     /// origin.
     #[inline(always)]
@@ -144,7 +144,7 @@ impl<S: Source> Run<S> {
         let Some((slope, func, _)) = &self.depth else { return from };
         let (first, step) = (from as u32, from as i32);
         let rest = Segment { x: run.x.wrapping_add(step), len: run.len - first, ..*run };
-        from + hidden(w.band, &rest, slope, x.wrapping_add(step), *func) as usize
+        from + hiz_cull(w.band, &rest, slope, x.wrapping_add(step), *func) as usize
     }
 }
 
@@ -164,7 +164,7 @@ fn depth_test(
 
 /// The run of a segment that begins at x, relative to the primitive's origin; gives how many of its pixels are done.
 #[inline(always)]
-fn run<S: Source>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>) -> usize {
+fn run<S: SpanShader>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>) -> usize {
     let (len, at) = (segment.len as usize, segment.offset as usize);
     let mut done = run.skip(w, segment, x0, 0);
     let first = done;
@@ -188,7 +188,7 @@ fn run<S: Source>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>
         && coarse(func)
     {
         let (x, offset) = (segment.x.wrapping_add(first as i32), segment.offset.wrapping_add(first as u32));
-        look(w.band, &Segment { x, offset, ..*segment }, done - first);
+        hiz_update(w.band, &Segment { x, offset, ..*segment }, done - first);
     }
     done
 }
@@ -201,11 +201,11 @@ fn reads<const K: usize>(
     u: &FragUniforms,
     (unit, index): (&Unit<'_, K>, u32),
     (x, y, left): (i32, i32, u32),
-) -> Option<(Reads, u32)> {
+) -> Option<(MipRange, u32)> {
     match u.levels.get(index as usize) {
         _ if left == 0 => None,
-        Some(Some(levels)) => lod_bounds::part(&mut b.ahead, index, &b.tex, unit, (x, y, left), levels),
-        _ => Some((Reads::One(0), left)),
+        Some(Some(levels)) => lod_bounds::part(&mut b.lookahead, index, &b.tex, unit, (x, y, left), levels),
+        _ => Some((MipRange::One(0), left)),
     }
 }
 
@@ -224,13 +224,13 @@ fn along(x: i32, y: i32, n: u32) -> Extent {
 /// What gives the parts of a run that read the same levels of one unit's image their pixels.
 pub(crate) trait Parts<const K: usize> {
     /// The pixels of a part.
-    type Source: Source;
+    type SpanShader: SpanShader;
 
     /// The unit's index.
     fn unit(&self) -> u32;
 
     /// The source for a part of a run; `None` where batches must do it.
-    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, K>) -> Option<Self::Source>;
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, K>) -> Option<Self::SpanShader>;
 }
 
 /// A part of a primitive.
@@ -238,7 +238,7 @@ pub(crate) struct Part<'a, const K: usize> {
     pub segment: Segment,
     pub extent: Extent,
     pub unit: Unit<'a, K>,
-    pub reads: Reads,
+    pub reads: MipRange,
 }
 
 /// The run of the first segment, part by part; leaves in `tex.n` how many of its pixels are done.

@@ -3,8 +3,8 @@
 //! fraction, and where they say along which axis rho is greater, the derivatives of that one are enough. Every number comes
 //! from the same expressions as in the stages of batches, so the bits are the same.
 
-use crate::fragment::lod_bounds::{Axis, Share};
-use crate::fragment::plane_eval::{Form, Place};
+use crate::fragment::lod_bounds::{Axis, MipWeight};
+use crate::fragment::plane_eval::{Place, Projection};
 use crate::fragment::reference::texcoord::Unit;
 use crate::num::{log2_f32, max_f32};
 use crate::texture::lod::Levels;
@@ -54,7 +54,7 @@ pub(crate) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> 
 impl<const K: usize> Mixing<K> {
     /// For a part of a run that reads `level` and such a share of the next one.
     #[inline(always)]
-    pub(crate) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, share: Share) -> Option<Self> {
+    pub(crate) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, share: MipWeight) -> Option<Self> {
         let (mut x, mut y) = (Slope { n: [0.0; K], d: unit.divisor.x }, Slope { n: [0.0; K], d: unit.divisor.y });
         let mut scale = [0.0; K];
         for k in 0..K {
@@ -62,11 +62,11 @@ impl<const K: usize> Mixing<K> {
             scale[k] = levels.scale[k] as f32;
         }
         let lambda = match share {
-            Share::Same(share) => Lambda::Same(share),
-            Share::By(_) if unit.planes.affine && !unit.wide => return None,
-            Share::By(Axis::X) => Lambda::One(x),
-            Share::By(Axis::Y) => Lambda::One(y),
-            Share::By(Axis::Either) => Lambda::Two([x, y]),
+            MipWeight::Same(share) => Lambda::Same(share),
+            MipWeight::By(_) if unit.planes.affine && !unit.wide => return None,
+            MipWeight::By(Axis::X) => Lambda::One(x),
+            MipWeight::By(Axis::Y) => Lambda::One(y),
+            MipWeight::By(Axis::Either) => Lambda::Two([x, y]),
         };
         Some(Self { lambda, scale, bias: levels.bias, level: level as f32 })
     }
@@ -113,7 +113,7 @@ impl<const K: usize> Mixing<K> {
     #[inline(always)]
     pub(crate) fn values<const N: usize>(
         &self,
-        form: &Form<K>,
+        form: &Projection<K>,
         place: impl Place<N>,
         rw: &[f32; N],
         repeats: &[bool; K],
@@ -121,7 +121,7 @@ impl<const K: usize> Mixing<K> {
         let (mut out, mut rho2) = ([[0.0; N]; K], [0.0; N]);
         match (&self.lambda, form) {
             (Lambda::Same(fraction), _) => return (form.values(place, rw, repeats), [*fraction; N]),
-            (lambda, Form::Wide(planes, d, inside)) => {
+            (lambda, Projection::Wide(planes, d, inside)) => {
                 let rq = crate::fragment::plane_eval::reciprocals(d, place);
                 let mut t = [[0.0; N]; K];
                 for k in 0..K {
@@ -139,7 +139,7 @@ impl<const K: usize> Mixing<K> {
                     Lambda::Same(_) => {}
                 }
             }
-            (lambda, Form::Even(planes) | Form::Divided(planes)) => {
+            (lambda, Projection::Even(planes) | Projection::Divided(planes)) => {
                 let mut t = [[0.0; N]; K];
                 for k in 0..K {
                     t[k] = planes[k].offsets(place, rw);

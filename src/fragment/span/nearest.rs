@@ -4,10 +4,10 @@
 //! positions to texels without a batch in between, and where all its fragments are alive texels are copied straight into
 //! the framebuffer. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
 
-use crate::fragment::lod_bounds::Reads;
-use crate::fragment::plane_eval::{Divisor, Extent, Form, From, Place, Terms, range};
+use crate::fragment::lod_bounds::MipRange;
+use crate::fragment::plane_eval::{Divisor, Extent, From, Place, Projection, Terms, range};
 use crate::fragment::reference::texcoord::Unit;
-use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::span::long::{Part, Parts, SpanShader};
 use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::{self, neighbours};
 use crate::texture::uniforms::WrappedImage;
@@ -24,7 +24,7 @@ pub struct Copied {
 
 /// What all blocks of a run need to find their texels.
 pub(crate) struct Texels<'a> {
-    form: Form<2>,
+    form: Projection<2>,
     /// D, if coordinates are divided by it in `f32`.
     d: Option<Divisor<f32>>,
     column: Near,
@@ -37,7 +37,7 @@ pub(crate) struct Texels<'a> {
 }
 
 impl<'a> Parts<2> for &'a Copied {
-    type Source = Texels<'a>;
+    type SpanShader = Texels<'a>;
 
     #[inline(always)]
     fn unit(&self) -> u32 {
@@ -46,7 +46,7 @@ impl<'a> Parts<2> for &'a Copied {
 
     #[inline(always)]
     fn source(&self, u: &FragUniforms, _w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Texels<'a>> {
-        let Reads::One(level) = part.reads else { return None };
+        let MipRange::One(level) = part.reads else { return None };
         Texels::new(&part.unit, &self.from, level, part.extent, u.packed_or)
     }
 }
@@ -60,7 +60,7 @@ impl<'a> Texels<'a> {
         let wrap = |k: usize| Near::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
         let (column, row) = (wrap(0)?, wrap(1)?);
         let (origin, stride, texels) = (level.origin, level.stride, filter::texels(level));
-        let form = Form::new(unit, extent);
+        let form = Projection::new(unit, extent);
         let d = form.divides().then(|| Terms::new(&unit.divisor, extent.row()));
         Some(Self { form, d, column, row, repeats, origin, stride, texels, or })
     }
@@ -77,12 +77,12 @@ impl<'a> Texels<'a> {
     fn places<const N: usize>(&self, place: impl Place<N>) -> [u32; N] {
         let mut at = [0; N];
         match (&self.form, &self.d) {
-            (Form::Even([s, t]), _) => {
+            (Projection::Even([s, t]), _) => {
                 for i in 0..N {
                     at[i] = self.place(s.even(place, i), t.even(place, i));
                 }
             }
-            (Form::Divided([s, t]), Some(d)) => {
+            (Projection::Divided([s, t]), Some(d)) => {
                 for i in 0..N {
                     let rq = 1.0 / place.sum(d, i);
                     at[i] = self.place(s.divided(place, i, rq), t.divided(place, i, rq));
@@ -110,7 +110,7 @@ impl<'a> Texels<'a> {
     }
 }
 
-impl Source for Texels<'_> {
+impl SpanShader for Texels<'_> {
     #[inline(always)]
     fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         self.found(&self.places(place), out);
@@ -119,7 +119,7 @@ impl Source for Texels<'_> {
     #[inline(always)]
     fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
         let at = self.places::<N>(From(x as f32));
-        if let Form::Even(_) = self.form
+        if let Projection::Even(_) = self.form
             && let Some(run) =
                 neighbours(&at).and_then(|first| self.texels.get(first..)).and_then(|t| t.first_chunk::<N>())
         {

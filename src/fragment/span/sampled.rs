@@ -4,15 +4,15 @@
 //! number comes from the same expressions as in the stages of batches, so the bits are the same.
 
 use crate::fragment::batch::Segment;
-use crate::fragment::lod_bounds::Reads;
-use crate::fragment::plane_eval::{Along, Divisor, Extent, Form, Place, Terms, range};
+use crate::fragment::lod_bounds::MipRange;
+use crate::fragment::plane_eval::{Along, Divisor, Extent, Place, Projection, Terms, range};
 use crate::fragment::planes::{Plane, Planes};
 use crate::fragment::reference::blend::pair;
 use crate::fragment::reference::env_pack::Step;
 use crate::fragment::reference::interpolate::primitive;
 use crate::fragment::reference::pack::{whole, whole_pixel};
 use crate::fragment::reference::texcoord::Unit;
-use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::span::long::{Part, Parts, SpanShader};
 use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
 use crate::texture::filter::linear_rgba8::{self, CHUNK, Indices, Pairs, RGB};
@@ -108,7 +108,7 @@ impl<'a, const K: usize> Level<'a, K> {
 
 /// What all blocks of a run need.
 pub(crate) struct Linear<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> {
-    form: Form<K>,
+    form: Projection<K>,
     repeats: [bool; K],
     level: Level<'a, K>,
     environment: Environment,
@@ -273,7 +273,7 @@ impl<'a, const FORMAT: u8, const BLENDED: bool> Flat<'a, FORMAT, BLENDED> {
 }
 
 impl<'a, const FORMAT: u8, const BLENDED: bool> Parts<2> for Flat<'a, FORMAT, BLENDED> {
-    type Source = Linear<'a, 2, 2, FORMAT, BLENDED>;
+    type SpanShader = Linear<'a, 2, 2, FORMAT, BLENDED>;
 
     #[inline(always)]
     fn unit(&self) -> u32 {
@@ -281,7 +281,7 @@ impl<'a, const FORMAT: u8, const BLENDED: bool> Parts<2> for Flat<'a, FORMAT, BL
     }
 
     #[inline(always)]
-    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::Source> {
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Self::SpanShader> {
         Linear::new(u, w, part, self.0, self.1)
     }
 }
@@ -301,7 +301,7 @@ impl<'a> Solid<'a> {
 }
 
 impl<'a> Parts<3> for Solid<'a> {
-    type Source = Linear<'a, 3, 4, RGB, false>;
+    type SpanShader = Linear<'a, 3, 4, RGB, false>;
 
     #[inline(always)]
     fn unit(&self) -> u32 {
@@ -309,7 +309,7 @@ impl<'a> Parts<3> for Solid<'a> {
     }
 
     #[inline(always)]
-    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 3>) -> Option<Self::Source> {
+    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 3>) -> Option<Self::SpanShader> {
         Linear::new(u, w, part, self.0, self.1)
     }
 }
@@ -326,16 +326,16 @@ impl<'a, const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: boo
         shown: &Shown,
         image: &'a WrappedImage<K>,
     ) -> Option<Self> {
-        let &Reads::One(level) = reads else { return None };
+        let &MipRange::One(level) = reads else { return None };
         let environment = Environment::of_run::<FORMAT, K>(u, w, segment, *extent, unit, shown)?;
         let level = Level::new(image, level, unit)?;
-        let form = Form::new(unit, *extent);
+        let form = Projection::new(unit, *extent);
         let d = environment.divisor(form.divides(), unit.planes, *extent);
         Some(Self { form, repeats: image.repeats, level, environment, d })
     }
 }
 
-impl<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> Source
+impl<const K: usize, const ROWS: usize, const FORMAT: u8, const BLENDED: bool> SpanShader
     for Linear<'_, K, ROWS, FORMAT, BLENDED>
 {
     const BLENDS: bool = BLENDED;

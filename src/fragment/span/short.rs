@@ -5,7 +5,7 @@
 
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::compare::{Func, any, compare, digits};
-use crate::fragment::lod_bounds::{self, Reads};
+use crate::fragment::lod_bounds::{self, MipRange};
 use crate::fragment::plane_eval::{Extent, Points, Step};
 use crate::fragment::planes::Planes;
 use crate::fragment::reference::depth::WRITE;
@@ -14,9 +14,9 @@ use crate::fragment::reference::lanes::row_origin;
 use crate::fragment::reference::pack::Paint;
 use crate::fragment::reference::places::write;
 use crate::fragment::reference::texcoord::unit;
-use crate::fragment::span::depth::{Slope, coarse, hidden, lanes};
+use crate::fragment::span::depth::{Slope, coarse, hiz_cull, lanes};
 use crate::fragment::span::levels::Between;
-use crate::fragment::span::long::{DEPTH, Part, Parts, Source};
+use crate::fragment::span::long::{DEPTH, Part, Parts, SpanShader};
 use crate::fragment::span::sampled::Flat;
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{BITS, LANES, stage};
@@ -85,7 +85,7 @@ impl List {
     /// Gives the first N pixels of the list from `start` on, of which `n` are in use, their colours. `origin` is that of
     /// places, relative to the primitive's.
     #[inline(always)]
-    fn shade<const N: usize, S: Source>(
+    fn shade<const N: usize, S: SpanShader>(
         &self,
         source: &S,
         (start, n): (usize, usize),
@@ -200,7 +200,7 @@ fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_
     for row in rows {
         if row.len >= HIDES {
             let x = row.x.wrapping_sub(planes.origin[0]);
-            let n = hidden(w.band, row, &slope(row, planes, u), x, func);
+            let n = hiz_cull(w.band, row, &slope(row, planes, u), x, func);
             *row = Segment {
                 x: row.x.wrapping_add(n.cast_signed()),
                 offset: row.offset.wrapping_add(n),
@@ -211,7 +211,7 @@ fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_
     }
 }
 
-/// Reads a depth of each cache line that rows will read. Processors foresee what comes next in a row, but not where the next
+/// MipRange a depth of each cache line that rows will read. Processors foresee what comes next in a row, but not where the next
 /// one begins: so that is not waited for row by row, but for all rows at once.
 #[inline(always)]
 fn touch(rows: &[Segment], depth: &[u32]) {
@@ -247,7 +247,7 @@ fn textured<const K: usize, P: Parts<K>>(
     let Some(unit) = unit::<K>(w, first, slots, of.unit()) else { return };
     let reads = match u.levels.get(of.unit() as usize) {
         Some(Some(levels)) => lod_bounds::of_rows(&b.tex, &unit, limits(rows, planes), levels),
-        _ => Some(Reads::One(0)),
+        _ => Some(MipRange::One(0)),
     };
     let Some(reads) = reads else { return };
     let part = Part { segment: *first, extent: Extent::All, unit, reads };
@@ -262,7 +262,7 @@ fn textured<const K: usize, P: Parts<K>>(
 
 /// Colours of the rows of a primitive.
 #[inline(always)]
-fn colored<S: Source>(
+fn colored<S: SpanShader>(
     rows: &[Segment],
     (planes, source): (&Planes, &S),
     u: &FragUniforms,

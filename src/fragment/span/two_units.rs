@@ -3,11 +3,11 @@
 //! first one gives, as light maps are. Every number comes from the same expressions as in the stages of batches, so the bits
 //! are the same.
 
-use crate::fragment::lod_bounds::Reads;
-use crate::fragment::plane_eval::{Along, Divisor, Form, Place};
+use crate::fragment::lod_bounds::MipRange;
+use crate::fragment::plane_eval::{Along, Divisor, Place, Projection};
 use crate::fragment::reference::texcoord::unit;
 use crate::fragment::span::levels::mixed;
-use crate::fragment::span::long::{Part, Parts, Source};
+use crate::fragment::span::long::{Part, Parts, SpanShader};
 use crate::fragment::span::mip_fraction::Mixing;
 use crate::fragment::span::sampled::{Environment, Level, Shown, divided, primary};
 use crate::fragment::uniforms::{FragUniforms, Work};
@@ -41,7 +41,7 @@ impl<'a> TwoImages<'a> {
 }
 
 impl<'a> Parts<2> for TwoImages<'a> {
-    type Source = TwoUnits<'a>;
+    type SpanShader = TwoUnits<'a>;
 
     #[inline(always)]
     fn unit(&self) -> u32 {
@@ -52,8 +52,8 @@ impl<'a> Parts<2> for TwoImages<'a> {
     fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<TwoUnits<'a>> {
         let mut environment = Environment::of_run::<RGB, 2>(u, w, &part.segment, part.extent, &part.unit, self.shown)?;
         let (level, between) = match part.reads {
-            Reads::One(level) => (level, None),
-            Reads::Two(level, share) => {
+            MipRange::One(level) => (level, None),
+            MipRange::Two(level, share) => {
                 let levels = u.levels.get(self.shown.unit as usize)?.as_ref()?;
                 let mixing = Mixing::new(&part.unit, levels, level, share)?;
                 (level, Some((Level::new(self.first, level + 1, &part.unit)?, mixing)))
@@ -61,8 +61,8 @@ impl<'a> Parts<2> for TwoImages<'a> {
         };
         let slots = u.layout.units.get(self.last.unit as usize)?.as_ref()?;
         let last_unit = unit::<2>(w, &part.segment, slots, self.last.unit)?;
-        let first = Filtered::new(Form::new(&part.unit, part.extent), self.first, level, &part.unit)?;
-        let last = Filtered::new(Form::new(&last_unit, part.extent), &self.last.image, 0, &last_unit)?;
+        let first = Filtered::new(Projection::new(&part.unit, part.extent), self.first, level, &part.unit)?;
+        let last = Filtered::new(Projection::new(&last_unit, part.extent), &self.last.image, 0, &last_unit)?;
         let divides = first.form.divides() || last.form.divides();
         let d = environment.divisor(divides, part.unit.planes, part.extent);
         let color = environment.color.take();
@@ -72,7 +72,7 @@ impl<'a> Parts<2> for TwoImages<'a> {
 
 /// A level of an image along a run.
 struct Filtered<'a> {
-    form: Form<2>,
+    form: Projection<2>,
     repeats: [bool; 2],
     level: Level<'a, 2>,
 }
@@ -80,7 +80,7 @@ struct Filtered<'a> {
 impl<'a> Filtered<'a> {
     #[inline(always)]
     fn new(
-        form: Form<2>,
+        form: Projection<2>,
         image: &'a WrappedImage<2>,
         level: u32,
         unit: &crate::fragment::reference::texcoord::Unit<'_, 2>,
@@ -113,7 +113,7 @@ fn times<const N: usize>(channel: &[f32; N], by: &[f32; N]) -> [f32; N] {
     out
 }
 
-impl Source for TwoUnits<'_> {
+impl SpanShader for TwoUnits<'_> {
     #[inline(always)]
     fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
         let (mut rw, even) = ([1.0; N], self.d.is_none());

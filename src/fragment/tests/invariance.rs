@@ -239,7 +239,7 @@ fn coarse_depths_change_no_bit() {
             for (general, frame) in [true, false].into_iter().zip(&mut frames) {
                 let p = program(level, &state, &format, Options { general, ..Options::default() });
                 draw(&p, &scene, frame, if general { Feed::Rows } else { Feed::Runs }, &rects);
-                skipped += usize::from(p.hidden.is_some());
+                skipped += usize::from(p.hiz_cull.is_some());
             }
             let [want, got] = frames.each_ref().map(contents);
             assert!(want == got, "case {case} {level:?} primitive {prim}");
