@@ -19,7 +19,7 @@ use super::current;
 use super::handmade::with;
 use crate::context::{InSlice, IntoBool, IntoInt, Pixels, PixelsMut};
 use crate::enums::{GLboolean, GLdouble, GLenum, GLint, GLsizei};
-use crate::glu::{self, Levels, Matrix, Quadric};
+use crate::glu::{self, Matrix, MipmapLevels, Quadric};
 use std::cell::RefCell;
 
 pub use crate::glu::constants::*;
@@ -68,7 +68,7 @@ macro_rules! mipmaps {
             max: GLint,
             data: impl Into<Pixels<'a>>,
         ) -> GLint {
-            let levels = Levels { level, base, max };
+            let levels = MipmapLevels { level, base, max };
             with!($levels_name, cx => {
                 glu::$build_levels(cx, target, internalformat, $($size,)* format, type_, levels, data)
             })

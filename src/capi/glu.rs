@@ -4,7 +4,7 @@
 use super::{current, memory};
 use crate::Context;
 use crate::enums::*;
-use crate::glu::{self, Levels, Matrix, Quadric};
+use crate::glu::{self, Matrix, MipmapLevels, Quadric};
 use std::ffi::{CStr, c_char, c_void};
 use std::ptr::null;
 
@@ -134,7 +134,7 @@ exports! {
     ) -> i32 {
         current::with(|cx| {
             let n = memory::unpack_bytes(cx, [width, 1], format, type_);
-            let levels = Levels { level, base, max };
+            let levels = MipmapLevels { level, base, max };
             // SAFETY: the caller's promise.
             let data = unsafe { memory::bytes(data, n) };
             glu::build_1d_mipmap_levels(cx, target, internalformat, width, format, type_, levels, data)
@@ -147,7 +147,7 @@ exports! {
     ) -> i32 {
         current::with(|cx| {
             let n = memory::unpack_bytes(cx, [width, height], format, type_);
-            let levels = Levels { level, base, max };
+            let levels = MipmapLevels { level, base, max };
             // SAFETY: the caller's promise.
             let data = unsafe { memory::bytes(data, n) };
             glu::build_2d_mipmap_levels(cx, target, internalformat, width, height, format, type_, levels, data)
@@ -160,7 +160,7 @@ exports! {
     ) -> i32 {
         current::with(|cx| {
             let n = memory::unpack_bytes(cx, [width, height, depth], format, type_);
-            let levels = Levels { level, base, max };
+            let levels = MipmapLevels { level, base, max };
             // SAFETY: the caller's promise.
             let data = unsafe { memory::bytes(data, n) };
             glu::build_3d_mipmap_levels(cx, target, internalformat, width, height, depth, format, type_, levels, data)

@@ -6,7 +6,7 @@ use super::current;
 use super::present::pixel_bytes;
 use crate::context::Config;
 use crate::enums::*;
-use crate::framebuffer::{ClientMemory, Framebuffer, FramebufferFormat};
+use crate::framebuffer::{Framebuffer, FramebufferFormat, UserMemory};
 use crate::limits::MAX_VIEWPORT_DIM;
 use crate::{Context, context::counts};
 use std::ffi::{c_char, c_int, c_uint, c_void};
@@ -132,15 +132,14 @@ impl OsMesa {
         let memory = match in_place {
             // SAFETY: OSMesaMakeCurrent asks for memory of so many pixels that is the context's while it is current;
             // bytes of C count as initialised.
-            true => unsafe { ClientMemory::new(address.cast::<u32>(), pixels) },
+            true => unsafe { UserMemory::new(address.cast::<u32>(), pixels) },
             false => None,
         };
         target.in_place = memory.is_some();
         let was_in_place = self.target.is_some_and(|t| t.in_place);
         if let Some(memory) = memory {
             let flipped = !self.layout.y_up;
-            let framebuffer =
-                Framebuffer::with_client_memory(width, height, row, flipped, self.buffers, memory).ok()?;
+            let framebuffer = Framebuffer::with_user_memory(width, height, row, flipped, self.buffers, memory).ok()?;
             self.context.engine.framebuffer = framebuffer;
         } else if !same_size || was_in_place {
             let float = type_ != GL_UNSIGNED_BYTE && self.format != RGB_565;

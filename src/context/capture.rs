@@ -7,24 +7,24 @@ use super::engine::Engine;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
 use crate::pixels::format::{PixelFormat, Type};
-use crate::pixels::geometry::Geometry;
+use crate::pixels::layout::ClientLayout;
 use crate::state::pixel::PixelStore;
 
 /// The size of an image: two numbers for a 1D or 2D image, three for a 3D image, whose slices can be skipped.
 pub(crate) trait ImageSize: Copy {
     /// Where the image lies in client memory.
-    fn geometry(self, store: &PixelStore, pixel: PixelFormat) -> Outcome<Geometry>;
+    fn geometry(self, store: &PixelStore, pixel: PixelFormat) -> Outcome<ClientLayout>;
 }
 
 impl ImageSize for [i32; 2] {
-    fn geometry(self, store: &PixelStore, pixel: PixelFormat) -> Outcome<Geometry> {
-        Geometry::of_2d(store, self, pixel)
+    fn geometry(self, store: &PixelStore, pixel: PixelFormat) -> Outcome<ClientLayout> {
+        ClientLayout::of_2d(store, self, pixel)
     }
 }
 
 impl ImageSize for [i32; 3] {
-    fn geometry(self, store: &PixelStore, pixel: PixelFormat) -> Outcome<Geometry> {
-        Geometry::of_3d(store, self, pixel)
+    fn geometry(self, store: &PixelStore, pixel: PixelFormat) -> Outcome<ClientLayout> {
+        ClientLayout::of_3d(store, self, pixel)
     }
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn capture(
 }
 
 /// The bytes of an image without what the store puts between them. `bytes` has been checked against the geometry.
-fn tight(bytes: &[u8], store: &PixelStore, geometry: &Geometry, pixel: PixelFormat) -> Outcome<Vec<u8>> {
+fn tight(bytes: &[u8], store: &PixelStore, geometry: &ClientLayout, pixel: PixelFormat) -> Outcome<Vec<u8>> {
     let bitmap = pixel.type_ == Type::Bitmap;
     let row_bytes = if bitmap { geometry.width.div_ceil(8) } else { geometry.row_bytes };
     let rows = geometry.height.saturating_mul(geometry.depth);

@@ -7,7 +7,7 @@ use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::framebuffer::{AccumOp, Clear, Rect};
-use crate::pixels::{ClientTarget, Kind, PixelFormat, Purpose};
+use crate::pixels::{ClientTarget, PixelFormat, PixelKind, Purpose};
 
 impl Engine {
     pub(crate) fn flush(&mut self) {
@@ -37,7 +37,7 @@ impl Engine {
             accum: has(GL_ACCUM_BUFFER_BIT).then_some(s.accum.clear),
         };
         let scissor = self.scissor_rect();
-        self.framebuffer.clear_later(&clear, scissor)
+        self.framebuffer.defer_clear(&clear, scissor)
     }
 
     /// The accumulation buffer is as large as the framebuffer and is made when it is used first (section 4.2.4).
@@ -94,15 +94,15 @@ impl Engine {
         for row in rows {
             let at = [left, (i64::from(row) - i64::from(y)) as usize, 0];
             match pixel.kind() {
-                Kind::Depth => {
+                PixelKind::Depth => {
                     self.framebuffer.read_depth(first, row, &mut depths);
                     target.depths(at, transfer, &to_f32(&depths));
                 }
-                Kind::Stencil => {
+                PixelKind::Stencil => {
                     self.framebuffer.read_stencil(first, row, &mut stencils);
                     target.stencils(at, transfer, &to_u32(&stencils));
                 }
-                Kind::DepthStencil => {
+                PixelKind::DepthStencil => {
                     self.framebuffer.read_depth(first, row, &mut depths);
                     self.framebuffer.read_stencil(first, row, &mut stencils);
                     target.depth_stencils(at, transfer, &to_f32(&depths), &to_u32(&stencils));
@@ -120,13 +120,13 @@ impl Engine {
         Ok(())
     }
 
-    fn check_readable(&self, kind: Kind) -> Outcome {
+    fn check_readable(&self, kind: PixelKind) -> Outcome {
         let bits = self.framebuffer.format();
         let missing = match kind {
-            Kind::Depth if bits.depth_bits == 0 => "depth",
-            Kind::Stencil if bits.stencil_bits == 0 => "stencil",
-            Kind::DepthStencil if bits.depth_bits == 0 || bits.stencil_bits == 0 => "depth and stencil",
-            Kind::Index => {
+            PixelKind::Depth if bits.depth_bits == 0 => "depth",
+            PixelKind::Stencil if bits.stencil_bits == 0 => "stencil",
+            PixelKind::DepthStencil if bits.depth_bits == 0 || bits.stencil_bits == 0 => "depth and stencil",
+            PixelKind::Index => {
                 return Err(invalid_operation("the framebuffer holds colours, not colour indices; read GL_RGBA"));
             }
             _ => return Ok(()),

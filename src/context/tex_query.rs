@@ -43,7 +43,7 @@ impl Engine {
     pub(crate) fn get_tex_level_parameter(&mut self, target: GLenum, level: i32, pname: GLenum) -> Outcome<Values> {
         let place = any_place(target)?;
         let level = level_index(place.target, level)?;
-        self.settle_levels(place.target, self.bound_name(place.target))?;
+        self.ensure_mip_levels(place.target, self.bound_name(place.target))?;
         let found = if place.proxy {
             let proxy = self.proxies[place.target as usize][level];
             level_value(proxy.format, proxy.size, proxy.border, pname)
@@ -70,7 +70,7 @@ impl Engine {
             return Err(invalid_enum("a proxy target holds no image; use the target itself"));
         }
         let level = level_index(place.target, level)?;
-        self.settle_levels(place.target, self.bound_name(place.target))?;
+        self.ensure_mip_levels(place.target, self.bound_name(place.target))?;
         Ok(self.bound_texture(place.target).image(place.face, level).cloned())
     }
 
@@ -118,12 +118,12 @@ impl Engine {
         if target == Target::Rectangle {
             return Err(invalid_enum("rectangle textures have no mipmaps"));
         }
-        self.settle_levels(target, self.bound_name(target))?;
+        self.ensure_mip_levels(target, self.bound_name(target))?;
         let faces = self.bound_texture(target).faces.len();
         for face in 0..faces {
             self.owe_levels(target, face);
         }
-        self.settle_levels(target, self.bound_name(target))
+        self.ensure_mip_levels(target, self.bound_name(target))
     }
 
     /// After an image has changed: GENERATE_MIPMAP owes the levels below a base level.
@@ -161,11 +161,11 @@ impl Engine {
         if owed.is_none_or(|owed| again && owed == chain) {
             return Ok(());
         }
-        self.settle_levels(place.target, self.bound_name(place.target))
+        self.ensure_mip_levels(place.target, self.bound_name(place.target))
     }
 
     /// Makes the levels that are owed to a texture object.
-    pub(crate) fn settle_levels(&mut self, target: Target, texture: u32) -> Outcome {
+    pub(crate) fn ensure_mip_levels(&mut self, target: Target, texture: u32) -> Outcome {
         for face in 0..6 {
             let owed = self.textures.object_mut(target, texture).owed.get_mut(face).and_then(Option::take);
             if let Some(chain) = owed {

@@ -105,7 +105,7 @@ impl Engine {
     /// Whether the texture of a unit can be sampled, with its rings filled. If not, a note says why.
     fn ready(&mut self, unit: usize, target: Target, texture: u32) -> bool {
         if is_mipmap_filter(self.textures.object(target, texture).parameters.min_filter)
-            && let Err(error) = self.settle_levels(target, texture)
+            && let Err(error) = self.ensure_mip_levels(target, texture)
         {
             self.note(error.message);
         }
@@ -149,7 +149,7 @@ impl Engine {
             let passed = self.scene.make_room(&mut self.framebuffer, self.config.threads);
             self.queries.passed += passed;
         }
-        self.framebuffer.settle();
+        self.framebuffer.apply_deferred_clear();
     }
 
     /// Lets go of the plans of draws that are done, so that a texture that is written next is not held by them and need

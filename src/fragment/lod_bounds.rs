@@ -14,8 +14,8 @@ use crate::fragment::reference::texcoord::{Unit, is_even};
 use crate::fragment::span::mip_fraction::even_rho2;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
-use crate::texture::batch::{Detail, TexBatch};
-use crate::texture::lod::Levels;
+use crate::texture::batch::{Derivatives, TexBatch};
+use crate::texture::lod::RhoRanges;
 
 /// What rounding leaves of sums and products of this many parts, generously: of `f64` (1/D has 2^-45) and of `f32`.
 const LOST_WIDE: f64 = 1.0 / (1u64 << 40) as f64;
@@ -173,16 +173,16 @@ pub(crate) fn of_row<const K: usize>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
     (x, y, len): (i32, i32, u32),
-    levels: &Levels,
-) -> Detail {
+    levels: &RhoRanges,
+) -> Derivatives {
     let index = index % MAX_TEXTURE_UNITS;
-    let Some(after) = lookahead.left.checked_sub(len) else { return Detail::Lanes };
+    let Some(after) = lookahead.left.checked_sub(len) else { return Derivatives::PerLane };
     let (level, end) = lookahead.levels[index];
     if after >= end {
-        return Detail::Level(level);
+        return Derivatives::OneLevel(level);
     }
     if (lookahead.blended >> index) & 1 != 0 {
-        return Detail::Lanes;
+        return Derivatives::PerLane;
     }
     let reach = lookahead.reach[index].max(len);
     let pixels = if reach < lookahead.left { reach } else { lookahead.left };
@@ -190,12 +190,12 @@ pub(crate) fn of_row<const K: usize>(
         Some(MipRange::One(level)) => {
             lookahead.levels[index] = (level, lookahead.left - pixels);
             lookahead.reach[index] = (2 * reach).min(FARTHEST);
-            Detail::Level(level)
+            Derivatives::OneLevel(level)
         }
         _ => {
             lookahead.reach[index] = pixels / 2;
             lookahead.blended |= u32::from(levels.blends) << index;
-            Detail::Lanes
+            Derivatives::PerLane
         }
     }
 }
@@ -209,7 +209,7 @@ pub(crate) fn part<const K: usize>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
     (x, y, left): (i32, i32, u32),
-    levels: &Levels,
+    levels: &RhoRanges,
 ) -> Option<(MipRange, u32)> {
     if let Some((at, reads, pixels)) = lookahead.told
         && at == left
@@ -244,7 +244,7 @@ pub(crate) fn of_rows<const K: usize>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
     [x, y]: [[i32; 2]; 2],
-    levels: &Levels,
+    levels: &RhoRanges,
 ) -> Option<MipRange> {
     reads::<K, true>(b, unit, Span { x: x.map(f64::from), y: y.map(f64::from) }, levels)
 }
@@ -255,7 +255,7 @@ fn reads<const K: usize, const SEVERAL: bool>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
     span: Span,
-    levels: &Levels,
+    levels: &RhoRanges,
 ) -> Option<MipRange> {
     // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
     if is_even(unit)

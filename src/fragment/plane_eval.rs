@@ -8,7 +8,7 @@ use crate::fragment::reference::lanes::IOTA;
 use crate::fragment::reference::texcoord::Unit;
 use crate::fragment::reference::texcoord_f64::{rest, without_periods};
 use crate::num::{clamp_f32, max_f32};
-use crate::texture::wrap::bounded::Range;
+use crate::texture::wrap::bounded::CoordBounds;
 
 /// What rounding leaves of sums, products and quotients of this many parts in `f64`, generously (1 / D has 2^-45).
 const LOST: f64 = 1.0 / (1u64 << 40) as f64;
@@ -349,7 +349,7 @@ impl<const K: usize> Projection<K> {
 
 /// Between which numbers a coordinate is; `None` if it may not be finite.
 #[inline(always)]
-pub(crate) fn range<const K: usize>(unit: &Unit<'_, K>, repeats: &[bool; K], k: usize) -> Option<Range> {
+pub(crate) fn range<const K: usize>(unit: &Unit<'_, K>, repeats: &[bool; K], k: usize) -> Option<CoordBounds> {
     let p = &unit.coords[k];
     let greatest = max_f32(p.max.abs(), p.min.abs());
     if !(p.min.is_finite() && p.max.is_finite()) {
@@ -359,7 +359,7 @@ pub(crate) fn range<const K: usize>(unit: &Unit<'_, K>, repeats: &[bool; K], k: 
         // As `wide_lanes` has it.
         return Some(rest(greatest, 1.0));
     }
-    Some(Range { least: p.min, limit: greatest })
+    Some(CoordBounds { least: p.min, limit: greatest })
 }
 
 #[cfg(test)]

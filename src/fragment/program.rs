@@ -143,7 +143,7 @@ impl Program {
         band: &mut Band<'_>,
     ) {
         if self.raises_depth {
-            band.coarse.forget();
+            band.hier_z.invalidate();
         }
         let mut work = Work { planes, pool: pool.into(), band };
         if let Some(tally) = &self.tally {
@@ -213,7 +213,7 @@ impl Program {
         band: &mut Band<'_>,
     ) -> bool {
         if self.raises_depth {
-            band.coarse.forget();
+            band.hier_z.invalidate();
         }
         let mut work = Work { planes, pool: pool.into(), band };
         for step in self.rows.iter().flatten() {
@@ -269,7 +269,7 @@ impl Program {
             Segment { start: 0, len: len - done, x, offset, row: true, ..run }
         };
         if self.fill.is_some() && self.raises_depth {
-            band.coarse.forget();
+            band.hier_z.invalidate();
         }
         let (mut done, mut fill) = (0, self.fill.as_ref());
         if self.untextured

@@ -10,7 +10,7 @@ use crate::fragment::span::sampled::Shown;
 use crate::fragment::span::two_units::Last;
 use crate::framebuffer::Band;
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::texture::lod::Levels;
+use crate::texture::lod::RhoRanges;
 
 /// The numbers behind a program.
 #[derive(Clone, Debug, Default)]
@@ -18,7 +18,7 @@ pub struct FragUniforms {
     /// Which slot holds what.
     pub layout: Layout,
     /// For each unit the levels of a filter that may do without derivatives.
-    pub levels: [Option<Levels>; MAX_TEXTURE_UNITS],
+    pub levels: [Option<RhoRanges>; MAX_TEXTURE_UNITS],
     /// The largest depth value, as a float.
     pub depth_max: f64,
     /// Bits that are set in every packed pixel: alpha where the format has none.

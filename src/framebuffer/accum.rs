@@ -55,7 +55,7 @@ impl Framebuffer {
     /// `glAccum` on the pixels of a rectangle (the scissor box or the whole window). RETURN writes the colour channels
     /// that `mask` lets through.
     pub fn accumulate(&mut self, op: AccumOp, value: f32, rect: Rect, mask: [bool; 4]) -> Outcome {
-        self.settle();
+        self.apply_deferred_clear();
         let len = self.accum_buffer()?.len();
         let no_alpha = self.format.color_bits[3] == 0;
         for run in self.runs(rect, len) {

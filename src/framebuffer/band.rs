@@ -1,8 +1,8 @@
 //! A band: some rows of the framebuffer, all buffers alike, lent to one worker. Bands of one framebuffer do not overlap,
 //! so workers need no locks, and because a pixel lies in one band only, the number of workers changes no result.
 
-use super::hier_z::{self, Coarse};
-use super::{Filling, Framebuffer};
+use super::hier_z::{self, HierZ};
+use super::{DeferredClear, Framebuffer};
 use std::mem::take;
 
 /// Rows `y0..y0 + rows` of a framebuffer. Each has cache lines to itself: it is written for every run of pixels, while other
@@ -26,12 +26,12 @@ pub struct Band<'a> {
     pub float: &'a mut [[f32; 4]],
     /// Depths; empty where there is no depth buffer.
     pub depth: &'a mut [u32],
-    /// What is known of the depths of whole blocks; who raises a depth must say so ([`Coarse::forget`]).
-    pub coarse: Coarse<'a>,
+    /// What is known of the depths of whole blocks; who raises a depth must say so ([`HierZ::invalidate`]).
+    pub hier_z: HierZ<'a>,
     /// Stencil values; empty where there is no stencil buffer.
     pub stencil: &'a mut [u8],
-    /// A clear that is to be carried out first ([`Band::settle`]).
-    pub waiting: Option<Filling>,
+    /// A clear that is to be carried out first ([`Band::apply_deferred_clear`]).
+    pub deferred: Option<DeferredClear>,
     /// How many fragments passed the tests (occlusion queries); counted only by programs that were built to count.
     pub samples: u64,
 }
@@ -67,14 +67,14 @@ fn cut<'a, T>(rest: &mut &'a mut [T], n: usize) -> &'a mut [T] {
 impl Framebuffer {
     /// The whole framebuffer as one band; no clear waits.
     pub fn band(&mut self) -> Band<'_> {
-        let waiting = self.waiting.take();
+        let deferred = self.deferred.take();
         let (width, stride, flipped, rows) = (self.width, self.stride, self.flipped, self.height);
         let (rgba8, float) = self.color.slices_mut();
         let (depth, stencil) = (&mut self.depth[..], &mut self.stencil[..]);
-        let coarse = Coarse { limits: &mut self.coarse, columns: hier_z::columns(width), forgotten: false };
+        let hier_z = HierZ { limits: &mut self.hier_z, columns: hier_z::columns(width), invalid: false };
         let mut band =
-            Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, coarse, stencil, waiting, samples: 0 };
-        band.settle();
+            Band { y0: 0, rows, width, stride, flipped, rgba8, float, depth, hier_z, stencil, deferred, samples: 0 };
+        band.apply_deferred_clear();
         band
     }
 
@@ -82,11 +82,11 @@ impl Framebuffer {
     /// `y / rows`. A clear that waits is handed to each of them.
     pub fn bands(&mut self, rows: u32) -> Vec<Band<'_>> {
         let rows = rows.max(1);
-        let waiting = self.waiting.take();
+        let deferred = self.deferred.take();
         let (width, stride, flipped, height) = (self.width, self.stride, self.flipped, self.height);
         let (mut rgba8, mut float) = self.color.slices_mut();
         let (mut depth, mut stencil) = (&mut self.depth[..], &mut self.stencil[..]);
-        let (mut limits, columns) = (&mut self.coarse[..], hier_z::columns(width));
+        let (mut limits, columns) = (&mut self.hier_z[..], hier_z::columns(width));
         let count = height.div_ceil(rows);
         let mut bands = Vec::with_capacity(count as usize);
         for i in 0..count {
@@ -104,9 +104,9 @@ impl Framebuffer {
                 rgba8: cut(&mut rgba8, n),
                 float: cut(&mut float, n),
                 depth: cut(&mut depth, n),
-                coarse: Coarse { limits, columns, forgotten: false },
+                hier_z: HierZ { limits, columns, invalid: false },
                 stencil: cut(&mut stencil, n),
-                waiting,
+                deferred,
                 samples: 0,
             });
         }

@@ -67,7 +67,7 @@ impl Framebuffer {
     /// Clears buffers inside `scissor`, or whole buffers. OUT_OF_MEMORY where the accumulation buffer cannot be made;
     /// then nothing is cleared.
     pub fn clear(&mut self, clear: &Clear, scissor: Option<Rect>) -> crate::error::Outcome {
-        self.settle();
+        self.apply_deferred_clear();
         let all = self.rect(0, 0, i32::MAX, i32::MAX);
         let rect = match scissor {
             Some(r) => {
@@ -91,7 +91,7 @@ impl Framebuffer {
                     row.fill(value);
                 }
             }
-            self.coarse_cleared(rect, value);
+            self.hier_z_cleared(rect, value);
         }
         if let Some((value, mask)) = clear.stencil {
             let runs = self.runs(rect, self.stencil.len());

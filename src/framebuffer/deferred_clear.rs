@@ -1,13 +1,13 @@
 //! Clears that wait (OpenGL 1.5, section 4.2.3). A clear of whole buffers is only noted; when the next scene is drawn, each
 //! band is filled just before it is drawn into, while it is in the cache, by the worker that draws it. Whoever is about
-//! to look at the framebuffer without drawing carries the clear out first ([`Framebuffer::settle`]).
+//! to look at the framebuffer without drawing carries the clear out first ([`Framebuffer::apply_deferred_clear`]).
 
 use super::{Band, Clear, Framebuffer, Rect};
 use crate::num::{clamp01, f32_to_u8};
 
 /// What whole buffers are filled with.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Filling {
+pub struct DeferredClear {
     /// The colour, packed and as floats.
     pub(super) color: Option<(u32, [f32; 4])>,
     pub(super) depth: Option<u32>,
@@ -16,8 +16,8 @@ pub struct Filling {
 
 impl Framebuffer {
     /// [`clear`](Self::clear), which may wait where it fills whole buffers.
-    pub fn clear_later(&mut self, clear: &Clear, scissor: Option<Rect>) -> crate::error::Outcome {
-        self.settle();
+    pub fn defer_clear(&mut self, clear: &Clear, scissor: Option<Rect>) -> crate::error::Outcome {
+        self.apply_deferred_clear();
         let all = self.rect(0, 0, i32::MAX, i32::MAX);
         let whole = scissor.is_none_or(|rect| rect == all)
             && clear.accum.is_none()
@@ -26,7 +26,7 @@ impl Framebuffer {
         if !whole {
             return self.clear(clear, scissor);
         }
-        self.waiting = Some(Filling {
+        self.deferred = Some(DeferredClear {
             color: clear.color.map(|(color, _)| {
                 let color = self.stored(color);
                 (u32::from_le_bytes(color.map(f32_to_u8)), color.map(clamp01))
@@ -39,13 +39,13 @@ impl Framebuffer {
 
     /// Whether a clear waits.
     #[must_use]
-    pub fn is_waiting(&self) -> bool {
-        self.waiting.is_some()
+    pub fn has_deferred_clear(&self) -> bool {
+        self.deferred.is_some()
     }
 
     /// Carries out the clear that waits.
-    pub fn settle(&mut self) {
-        if self.waiting.is_some() {
+    pub fn apply_deferred_clear(&mut self) {
+        if self.deferred.is_some() {
             self.band();
         }
     }
@@ -67,17 +67,17 @@ fn fill<T: Copy>(pixels: &mut [T], value: T, width: u32, stride: u32) {
 
 impl Band<'_> {
     /// Carries out the clear that waits for whoever draws into the band: to be called before that.
-    pub fn settle(&mut self) {
-        let Some(filling) = self.waiting.take() else { return };
-        if let Some((packed, float)) = filling.color {
+    pub fn apply_deferred_clear(&mut self) {
+        let Some(clear) = self.deferred.take() else { return };
+        if let Some((packed, float)) = clear.color {
             fill(self.rgba8, packed, self.width, self.stride);
             fill(self.float, float, self.width, self.stride);
         }
-        if let Some(depth) = filling.depth {
+        if let Some(depth) = clear.depth {
             fill(self.depth, depth, self.width, self.stride);
-            self.coarse.cleared(depth);
+            self.hier_z.cleared(depth);
         }
-        if let Some(stencil) = filling.stencil {
+        if let Some(stencil) = clear.stencil {
             fill(self.stencil, stencil, self.width, self.stride);
         }
     }

@@ -15,13 +15,13 @@ pub(super) fn columns(width: u32) -> usize {
 
 /// The coarse depths of a band, rows in the order of memory.
 #[derive(Debug)]
-pub struct Coarse<'a> {
+pub struct HierZ<'a> {
     pub(super) limits: &'a mut [u32],
     pub(super) columns: usize,
-    pub(super) forgotten: bool,
+    pub(super) invalid: bool,
 }
 
-impl Coarse<'_> {
+impl HierZ<'_> {
     /// The limits of a row, counted in the order of memory from the band's first one.
     #[inline(always)]
     #[must_use]
@@ -38,33 +38,33 @@ impl Coarse<'_> {
             && let Some(old) = self.limits.get_mut(at)
         {
             *old = limit;
-            self.forgotten = false;
+            self.invalid = false;
         }
     }
 
     /// Says that all depths of the band are `value`.
     pub fn cleared(&mut self, value: u32) {
         self.limits.fill(value);
-        self.forgotten = false;
+        self.invalid = false;
     }
 
     /// Says that depths may be raised anywhere in the band.
     #[inline(always)]
-    pub fn forget(&mut self) {
-        if !self.forgotten {
+    pub fn invalidate(&mut self) {
+        if !self.invalid {
             self.limits.fill(u32::MAX);
-            self.forgotten = true;
+            self.invalid = true;
         }
     }
 }
 
 impl Framebuffer {
     /// A rectangle's depths have been set to `value`.
-    pub(super) fn coarse_cleared(&mut self, rect: Rect, value: u32) {
+    pub(super) fn hier_z_cleared(&mut self, rect: Rect, value: u32) {
         let columns = columns(self.width);
         for y in rect.y..rect.y + rect.height {
             let row = if self.flipped { self.height - 1 - y } else { y } as usize;
-            let limits = self.coarse.get_mut(row * columns..(row + 1) * columns).unwrap_or_default();
+            let limits = self.hier_z.get_mut(row * columns..(row + 1) * columns).unwrap_or_default();
             let (x0, x1) = (rect.x as usize, (rect.x + rect.width) as usize);
             let end = x1.div_ceil(BLOCK);
             for (block, limit) in limits.iter_mut().enumerate().take(end).skip(x0 / BLOCK) {

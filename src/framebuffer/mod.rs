@@ -14,9 +14,9 @@ pub use accum::AccumOp;
 pub use band::Band;
 pub(crate) use clear::packed_mask;
 pub use clear::{Clear, Rect};
-pub use deferred_clear::Filling;
-pub use hier_z::{BLOCK, Coarse};
-pub use user_memory::ClientMemory;
+pub use deferred_clear::DeferredClear;
+pub use hier_z::{BLOCK, HierZ};
+pub use user_memory::UserMemory;
 
 use crate::error::{Outcome, invalid_value, out_of_memory};
 use crate::limits::MAX_VIEWPORT_DIM;
@@ -59,7 +59,7 @@ enum ColorStore {
     /// Packed bytes in memory of the library.
     Owned(Vec<u32>),
     /// Packed bytes in memory of the client.
-    Client(ClientMemory),
+    User(UserMemory),
     /// Floats.
     Float(Vec<[f32; 4]>),
 }
@@ -69,7 +69,7 @@ impl ColorStore {
     fn slices(&self) -> (&[u32], &[[f32; 4]]) {
         match self {
             Self::Owned(v) => (v, &[]),
-            Self::Client(m) => (m.pixels(), &[]),
+            Self::User(m) => (m.pixels(), &[]),
             Self::Float(v) => (&[], v),
         }
     }
@@ -78,7 +78,7 @@ impl ColorStore {
     fn slices_mut(&mut self) -> (&mut [u32], &mut [[f32; 4]]) {
         match self {
             Self::Owned(v) => (v, &mut []),
-            Self::Client(m) => (m.pixels_mut(), &mut []),
+            Self::User(m) => (m.pixels_mut(), &mut []),
             Self::Float(v) => (&mut [], v),
         }
     }
@@ -94,11 +94,11 @@ pub struct Framebuffer {
     format: FramebufferFormat,
     color: ColorStore,
     depth: Vec<u32>,
-    coarse: Vec<u32>,
+    hier_z: Vec<u32>,
     stencil: Vec<u8>,
     accum: Vec<[f32; 4]>,
     /// A clear of whole buffers that waits for what is drawn next.
-    waiting: Option<Filling>,
+    deferred: Option<DeferredClear>,
 }
 
 /// A buffer of `len` equal values, or OUT_OF_MEMORY.
@@ -144,10 +144,10 @@ impl Framebuffer {
             format,
             color,
             depth: Vec::new(),
-            coarse: Vec::new(),
+            hier_z: Vec::new(),
             stencil: Vec::new(),
             accum: Vec::new(),
-            waiting: None,
+            deferred: None,
         }
     }
 
@@ -164,13 +164,13 @@ impl Framebuffer {
 
     /// A framebuffer whose colours are in the client's memory: rows `row_length` pixels apart, the lowest first unless
     /// `flipped`. The pixels stay as they are. `memory` must have `row_length * (height - 1) + width` pixels at least.
-    pub fn with_client_memory(
+    pub fn with_user_memory(
         width: u32,
         height: u32,
         row_length: u32,
         flipped: bool,
         format: FramebufferFormat,
-        memory: ClientMemory,
+        memory: UserMemory,
     ) -> Outcome<Self> {
         let len = pixel_count(width, height, row_length)?;
         if memory.pixels().len() < len {
@@ -182,7 +182,7 @@ impl Framebuffer {
         let mut memory = memory;
         memory.truncate(len);
         let format = FramebufferFormat { float: false, ..format };
-        Self::with_store(width, height, row_length, flipped, format, ColorStore::Client(memory), len)
+        Self::with_store(width, height, row_length, flipped, format, ColorStore::User(memory), len)
     }
 
     fn with_store(
@@ -196,7 +196,7 @@ impl Framebuffer {
     ) -> Outcome<Self> {
         let depth = filled(if format.depth_bits == 0 { 0 } else { len }, format.depth_max(), "depth")?;
         let blocks = if format.depth_bits == 0 { 0 } else { hier_z::columns(width) * height as usize };
-        let coarse = filled(blocks, format.depth_max(), "coarse depth")?;
+        let hier_z = filled(blocks, format.depth_max(), "coarse depth")?;
         let stencil = filled(if format.stencil_bits == 0 { 0 } else { len }, 0, "stencil")?;
         Ok(Self {
             width,
@@ -206,10 +206,10 @@ impl Framebuffer {
             format,
             color,
             depth,
-            coarse,
+            hier_z,
             stencil,
             accum: Vec::new(),
-            waiting: None,
+            deferred: None,
         })
     }
 

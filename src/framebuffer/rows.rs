@@ -20,7 +20,7 @@ impl Framebuffer {
 
     /// Colours of row `y` from `x` on, packed with the bytes R, G, B, A from low to high.
     pub fn read_rgba8(&self, x: i32, y: i32, out: &mut [u32]) {
-        debug_assert!(!self.is_waiting(), "a clear waits: settle first");
+        debug_assert!(!self.has_deferred_clear(), "a clear waits: apply_deferred_clear first");
         let Some((from, to)) = self.span(x, y, out.len()) else { return };
         let (packed, float) = self.color.slices();
         let Some(out) = out.get_mut(to) else { return };
@@ -35,7 +35,7 @@ impl Framebuffer {
 
     /// Colours of row `y` from `x` on as floats.
     pub fn read_float(&self, x: i32, y: i32, out: &mut [[f32; 4]]) {
-        debug_assert!(!self.is_waiting(), "a clear waits: settle first");
+        debug_assert!(!self.has_deferred_clear(), "a clear waits: apply_deferred_clear first");
         let Some((from, to)) = self.span(x, y, out.len()) else { return };
         let (packed, float) = self.color.slices();
         let Some(out) = out.get_mut(to) else { return };
@@ -50,7 +50,7 @@ impl Framebuffer {
 
     /// Depths of row `y` from `x` on, in [0, 1].
     pub fn read_depth(&self, x: i32, y: i32, out: &mut [f64]) {
-        debug_assert!(!self.is_waiting(), "a clear waits: settle first");
+        debug_assert!(!self.has_deferred_clear(), "a clear waits: apply_deferred_clear first");
         let Some((from, to)) = self.span(x, y, out.len()) else { return };
         let max = f64::from(self.format.depth_max());
         if let (Some(from), Some(out)) = (self.depth.get(from), out.get_mut(to)) {
@@ -60,7 +60,7 @@ impl Framebuffer {
 
     /// Stencil values of row `y` from `x` on.
     pub fn read_stencil(&self, x: i32, y: i32, out: &mut [u8]) {
-        debug_assert!(!self.is_waiting(), "a clear waits: settle first");
+        debug_assert!(!self.has_deferred_clear(), "a clear waits: apply_deferred_clear first");
         let Some((from, to)) = self.span(x, y, out.len()) else { return };
         if let (Some(from), Some(out)) = (self.stencil.get(from), out.get_mut(to)) {
             out.copy_from_slice(from);
@@ -69,7 +69,7 @@ impl Framebuffer {
 
     /// Writes colours to row `y` from `x` on, channels that `mask` lets through; no fragment operation is applied.
     pub fn write_float(&mut self, x: i32, y: i32, colors: &[[f32; 4]], mask: [bool; 4]) {
-        self.settle();
+        self.apply_deferred_clear();
         let Some((to, from)) = self.span(x, y, colors.len()) else { return };
         let mask = [mask[0], mask[1], mask[2], mask[3] && self.format.color_bits[3] != 0];
         let Some(colors) = colors.get(from) else { return };
@@ -94,9 +94,9 @@ impl Framebuffer {
 
     /// Writes depths in [0, 1] to row `y` from `x` on.
     pub fn write_depth(&mut self, x: i32, y: i32, depths: &[f64]) {
-        self.settle();
+        self.apply_deferred_clear();
         let Some((to, from)) = self.span(x, y, depths.len()) else { return };
-        self.coarse_cleared(Rect { x: 0, y: y.cast_unsigned(), width: self.width, height: 1 }, u32::MAX);
+        self.hier_z_cleared(Rect { x: 0, y: y.cast_unsigned(), width: self.width, height: 1 }, u32::MAX);
         let max = f64::from(self.format.depth_max());
         if let (Some(to), Some(from)) = (self.depth.get_mut(to), depths.get(from)) {
             for (z, &d) in to.iter_mut().zip(from) {
@@ -108,7 +108,7 @@ impl Framebuffer {
 
     /// Writes stencil values to row `y` from `x` on, bits that `mask` lets through.
     pub fn write_stencil(&mut self, x: i32, y: i32, values: &[u8], mask: u8) {
-        self.settle();
+        self.apply_deferred_clear();
         let Some((to, from)) = self.span(x, y, values.len()) else { return };
         if let (Some(to), Some(from)) = (self.stencil.get_mut(to), values.get(from)) {
             to.iter_mut().zip(from).for_each(|(s, &v)| *s = (*s & !mask) | (v & mask));

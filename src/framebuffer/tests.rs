@@ -43,8 +43,8 @@ fn absurd_sizes_are_errors() {
     let mut with = |width, row_length, len| {
         #[expect(unsafe_code, reason = "memory of the test")]
         // SAFETY: the vector outlives the framebuffer, which is dropped at once, and has at least `len` pixels.
-        let memory = unsafe { ClientMemory::new(memory.as_mut_ptr(), len) }.unwrap();
-        Framebuffer::with_client_memory(width, 3, row_length, false, format(), memory).map(|_| ()).map_err(|e| e.code)
+        let memory = unsafe { UserMemory::new(memory.as_mut_ptr(), len) }.unwrap();
+        Framebuffer::with_user_memory(width, 3, row_length, false, format(), memory).map(|_| ()).map_err(|e| e.code)
     };
     assert_eq!(with(4, 4, 12), Ok(()));
     assert_eq!(with(2, 5, 12), Ok(()), "the last row may be short");
@@ -55,7 +55,7 @@ fn absurd_sizes_are_errors() {
     // SAFETY: neither address is ever read.
     let refused = unsafe {
         let odd = memory.as_mut_ptr().cast::<u8>().wrapping_add(1).cast::<u32>();
-        ClientMemory::new(std::ptr::null_mut(), 3).is_none() && ClientMemory::new(odd, 1).is_none()
+        UserMemory::new(std::ptr::null_mut(), 3).is_none() && UserMemory::new(odd, 1).is_none()
     };
     assert!(refused);
 }
@@ -67,8 +67,8 @@ fn bands_cover_every_row_once() {
             let mut memory = vec![0u32; 8 * height as usize];
             #[expect(unsafe_code, reason = "memory of the test")]
             // SAFETY: the vector outlives the framebuffer and is not touched meanwhile.
-            let client = unsafe { ClientMemory::new(memory.as_mut_ptr(), memory.len()) }.unwrap();
-            let mut f = Framebuffer::with_client_memory(5, height, 8, flipped, format(), client).unwrap();
+            let client = unsafe { UserMemory::new(memory.as_mut_ptr(), memory.len()) }.unwrap();
+            let mut f = Framebuffer::with_user_memory(5, height, 8, flipped, format(), client).unwrap();
             let mut y = 0;
             for band in f.bands(rows) {
                 assert_eq!(band.y0, y);
@@ -142,8 +142,8 @@ fn clears_leave_what_lies_behind_the_window_alone() {
     let mut memory = vec![5u32; 20];
     #[expect(unsafe_code, reason = "memory of the test")]
     // SAFETY: the vector outlives the framebuffer and is not touched meanwhile.
-    let client = unsafe { ClientMemory::new(memory.as_mut_ptr(), memory.len()) }.unwrap();
-    let mut f = Framebuffer::with_client_memory(4, 3, 4, false, format(), client).unwrap();
+    let client = unsafe { UserMemory::new(memory.as_mut_ptr(), memory.len()) }.unwrap();
+    let mut f = Framebuffer::with_user_memory(4, 3, 4, false, format(), client).unwrap();
     f.clear(&color([0.0; 4]), None).unwrap();
     drop(f);
     assert_eq!((memory[..12].to_vec(), memory[12..].to_vec()), (vec![0; 12], vec![5; 8]));
@@ -242,21 +242,21 @@ fn a_clear_that_waits_is_a_clear_and_leaves_gaps_alone() {
         for (later, memory) in memory.iter_mut().enumerate() {
             #[expect(unsafe_code, reason = "memory of the test")]
             // SAFETY: the array outlives the framebuffer and nobody else uses it meanwhile.
-            let client = unsafe { ClientMemory::new(memory.as_mut_ptr(), memory.len()) }.unwrap();
-            let mut f = Framebuffer::with_client_memory(5, 6, stride, flipped, format(), client).unwrap();
+            let client = unsafe { UserMemory::new(memory.as_mut_ptr(), memory.len()) }.unwrap();
+            let mut f = Framebuffer::with_user_memory(5, 6, stride, flipped, format(), client).unwrap();
             if later == 1 {
-                f.clear_later(&clear, None).unwrap();
-                assert!(f.is_waiting());
-                f.bands(4).iter_mut().for_each(Band::settle);
+                f.defer_clear(&clear, None).unwrap();
+                assert!(f.has_deferred_clear());
+                f.bands(4).iter_mut().for_each(Band::apply_deferred_clear);
             } else {
                 f.clear(&clear, None).unwrap();
             }
-            assert!(!f.is_waiting());
+            assert!(!f.has_deferred_clear());
             let (mut d, mut s) = ([0.0; 5], [0; 5]);
             f.read_depth(0, 5, &mut d);
             f.read_stencil(0, 0, &mut s);
             assert!(d.iter().all(|d| (d - 0.25).abs() < 1e-6) && s == [7; 5]);
-            assert!(f.coarse.iter().all(|limit| *limit == f.depth_value(0.25)));
+            assert!(f.hier_z.iter().all(|limit| *limit == f.depth_value(0.25)));
         }
         assert_eq!(memory[0], memory[1]);
         assert_ne!(memory[0][0], 9);
@@ -267,14 +267,14 @@ fn a_clear_that_waits_is_a_clear_and_leaves_gaps_alone() {
         Clear { color: Some(([1.0; 4], [true, false, true, true])), ..clear },
         Clear { stencil: Some((1, 0x7F)), ..clear },
     ] {
-        f.clear_later(&part, None).unwrap();
-        assert!(!f.is_waiting(), "a mask protects something");
+        f.defer_clear(&part, None).unwrap();
+        assert!(!f.has_deferred_clear(), "a mask protects something");
     }
-    f.clear_later(&clear, Some(Rect { x: 0, y: 0, width: 4, height: 3 })).unwrap();
-    assert!(!f.is_waiting(), "a scissor box");
-    f.clear_later(&clear, Some(Rect { x: 0, y: 0, width: 4, height: 4 })).unwrap();
-    assert!(f.is_waiting());
-    f.settle();
+    f.defer_clear(&clear, Some(Rect { x: 0, y: 0, width: 4, height: 3 })).unwrap();
+    assert!(!f.has_deferred_clear(), "a scissor box");
+    f.defer_clear(&clear, Some(Rect { x: 0, y: 0, width: 4, height: 4 })).unwrap();
+    assert!(f.has_deferred_clear());
+    f.apply_deferred_clear();
     assert_eq!(row(&f, 3), [0xCC99_6633; 4]);
 }
 
@@ -284,18 +284,18 @@ fn coarse_depths_are_never_too_small() {
     let depth = |value| Clear { depth: Some(value), ..Clear::default() };
     f.clear(&depth(0.5), None).unwrap();
     let [half, far] = [0.5, 0.75].map(|d| f.depth_value(d));
-    assert_eq!(f.coarse, [half; 9]);
+    assert_eq!(f.hier_z, [half; 9]);
     f.clear(&depth(0.25), Some(Rect { x: 60, y: 1, width: 70, height: 1 })).unwrap();
     let near = f.depth_value(0.25);
-    assert_eq!(f.coarse[3..6], [half, near, half], "only the block that is covered");
+    assert_eq!(f.hier_z[3..6], [half, near, half], "only the block that is covered");
     f.clear(&depth(0.75), Some(Rect { x: 140, y: 2, width: 10, height: 1 })).unwrap();
-    assert_eq!(f.coarse[6..], [half, half, far]);
+    assert_eq!(f.hier_z[6..], [half, half, far]);
     f.write_depth(70, 1, &[0.9]);
-    assert!(f.coarse[3..6].iter().all(|limit| *limit == u32::MAX));
+    assert!(f.hier_z[3..6].iter().all(|limit| *limit == u32::MAX));
     let mut band = f.band();
-    band.coarse.forget();
-    assert!(band.coarse.row(2).iter().all(|limit| *limit == u32::MAX));
-    band.coarse.set(2, 1, 17);
-    assert_eq!(band.coarse.row(2), [u32::MAX, 17, u32::MAX]);
-    assert_eq!(band.coarse.row(3), [0; 0]);
+    band.hier_z.invalidate();
+    assert!(band.hier_z.row(2).iter().all(|limit| *limit == u32::MAX));
+    band.hier_z.set(2, 1, 17);
+    assert_eq!(band.hier_z.row(2), [u32::MAX, 17, u32::MAX]);
+    assert_eq!(band.hier_z.row(3), [0; 0]);
 }

@@ -5,20 +5,20 @@ use std::ptr::NonNull;
 
 /// A client's pixels, bytes R, G, B, A each.
 #[derive(Debug)]
-pub struct ClientMemory {
+pub struct UserMemory {
     address: NonNull<u32>,
     len: usize,
 }
 
 #[expect(unsafe_code, reason = "the maker of the value has promised that nobody else uses the memory")]
-// SAFETY: `ClientMemory::new` asks for memory that nobody else touches, so it may move to another thread with its owner.
-unsafe impl Send for ClientMemory {}
+// SAFETY: `UserMemory::new` asks for memory that nobody else touches, so it may move to another thread with its owner.
+unsafe impl Send for UserMemory {}
 
 #[expect(unsafe_code, reason = "a shared reference only reads")]
-// SAFETY: through `&ClientMemory` the memory can only be read.
-unsafe impl Sync for ClientMemory {}
+// SAFETY: through `&UserMemory` the memory can only be read.
+unsafe impl Sync for UserMemory {}
 
-impl ClientMemory {
+impl UserMemory {
     /// Takes `len` pixels at `address`; `None` where the address is null or not that of a `u32`, or where the memory
     /// would be larger than an object can be.
     ///

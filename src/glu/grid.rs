@@ -5,7 +5,7 @@
 //! (the box is separable). It is used for every halving of a mipmap, for the fit to a power of two and for
 //! `gluScaleImage`; only where the box lies differs ([`Kernel`]).
 
-use crate::pixels::format::{Kind, PixelFormat};
+use crate::pixels::format::{PixelFormat, PixelKind};
 use crate::pixels::unpack::ClientImage;
 
 /// An image of one to three dimensions; colours as R, G, B, A (a luminance in R, G and B), indices and depths in R.
@@ -45,12 +45,12 @@ impl Grid {
         for (row, texels) in texels.chunks_exact_mut(width.max(1)).enumerate() {
             let at = [0, row % height, row / height];
             match image.pixel().kind() {
-                Kind::Color => image.components(at, texels),
-                Kind::Index | Kind::Stencil => {
+                PixelKind::Color => image.components(at, texels),
+                PixelKind::Index | PixelKind::Stencil => {
                     image.raw_indices(at, &mut numbers);
                     texels.iter_mut().zip(&numbers).for_each(|(texel, n)| texel[0] = *n as f32);
                 }
-                Kind::Depth | Kind::DepthStencil => {
+                PixelKind::Depth | PixelKind::DepthStencil => {
                     let mut depths = try_vec(width, 0.0f32)?;
                     image.depths(at, crate::pixels::transfer::Transfer::NEUTRAL, &mut depths);
                     texels.iter_mut().zip(&depths).for_each(|(texel, d)| texel[0] = *d);

@@ -13,7 +13,7 @@ use crate::context::{Context, NULL, Pixels};
 use crate::enums::*;
 use crate::error::{invalid_enum, invalid_value};
 use crate::num::as_bytes;
-use crate::pixels::format::{Kind, PixelFormat, Purpose};
+use crate::pixels::format::{PixelFormat, PixelKind, Purpose};
 use crate::pixels::unpack::ClientImage;
 use crate::state::pixel::PixelStore;
 use crate::texture::format::{BaseFormat, InternalFormat, Storage};
@@ -22,7 +22,7 @@ use std::ops::RangeInclusive;
 
 /// Which levels a `...MipmapLevels` function loads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Levels {
+pub struct MipmapLevels {
     /// The level that the image is.
     pub level: i32,
     /// The first level to load.
@@ -32,7 +32,7 @@ pub struct Levels {
 }
 
 /// The image that a mipmap is built of, and for what.
-pub(super) struct Job<'a> {
+pub(super) struct MipmapJob<'a> {
     pub dimensions: usize,
     pub target: GLenum,
     pub internal_format: i32,
@@ -44,7 +44,7 @@ pub(super) struct Job<'a> {
 
 /// Builds the levels that are asked for: all from 0 on unless `levels` says otherwise. 0 or a code of GLU.
 #[track_caller]
-pub(super) fn build(cx: &mut Context, name: &'static str, job: &Job<'_>, levels: Option<Levels>) -> i32 {
+pub(super) fn build(cx: &mut Context, name: &'static str, job: &MipmapJob<'_>, levels: Option<MipmapLevels>) -> i32 {
     match try_build(cx, job, levels) {
         Ok(()) => 0,
         Err(error) => {
@@ -58,7 +58,7 @@ pub(super) fn build(cx: &mut Context, name: &'static str, job: &Job<'_>, levels:
 }
 
 #[track_caller]
-fn try_build(cx: &mut Context, job: &Job<'_>, levels: Option<Levels>) -> Result<(), ImageError> {
+fn try_build(cx: &mut Context, job: &MipmapJob<'_>, levels: Option<MipmapLevels>) -> Result<(), ImageError> {
     let proxy = proxy(job.dimensions, job.target)
         .ok_or_else(|| invalid_enum(format!("{} is not a target for this function", crate::enums::name(job.target))))?;
     let pixel = PixelFormat::for_command(job.format, job.type_, Purpose::TexImage)?;
@@ -72,7 +72,7 @@ fn try_build(cx: &mut Context, job: &Job<'_>, levels: Option<Levels>) -> Result<
             job.size
         }
     };
-    let Levels { level, base, max } = levels.unwrap_or(Levels { level: 0, base: 0, max: i32::MAX });
+    let MipmapLevels { level, base, max } = levels.unwrap_or(MipmapLevels { level: 0, base: 0, max: i32::MAX });
     let last = level + size.iter().map(|n| n.ilog2() as i32).max().unwrap_or(0);
     let wanted = base..=max.min(last);
     let Some(bytes) = job.data.bytes() else {
@@ -115,13 +115,13 @@ fn try_build(cx: &mut Context, job: &Job<'_>, levels: Option<Levels>) -> Result<
 #[track_caller]
 fn upload_bytes(
     cx: &mut Context,
-    job: &Job<'_>,
+    job: &MipmapJob<'_>,
     pixel: PixelFormat,
     pyramid: Pyramid,
     at: i32,
     wanted: RangeInclusive<i32>,
 ) -> Result<(), ImageError> {
-    let packed = Job { format: GL_RGBA, ..*job };
+    let packed = MipmapJob { format: GL_RGBA, ..*job };
     let last = at + pyramid.floors.len() as i32;
     for (l, floor) in (at + 1..).zip(&pyramid.floors).filter(|(l, _)| wanted.contains(l)) {
         let size = [floor.width, floor.texels.len() / floor.width, 1].map(|n| n as i32);
@@ -133,12 +133,12 @@ fn upload_bytes(
 
 /// Whether the levels of an image may be handed over as bytes: where it is one of bytes, the texture keeps bytes and
 /// nothing is done to them on the way. A display list must hold floats, as pixel transfer is up to whoever calls it.
-fn keeps_bytes(cx: &Context, job: &Job<'_>) -> bool {
+fn keeps_bytes(cx: &Context, job: &MipmapJob<'_>) -> bool {
     let keeps = |format: &InternalFormat| format.storage == Storage::Rgba8 && format.base != BaseFormat::Depth;
     job.dimensions == 2
         && job.type_ == GL_UNSIGNED_BYTE
         && job.size[..2].iter().all(|&n| n > 1)
-        && PixelFormat::new(job.format, job.type_).is_ok_and(|pixel| pixel.kind() == Kind::Color)
+        && PixelFormat::new(job.format, job.type_).is_ok_and(|pixel| pixel.kind() == PixelKind::Color)
         && InternalFormat::of_tex_image(job.internal_format).is_ok_and(keeps)
         && cx.engine.transfer().keeps_colors()
         && !cx.hooks.recording()
@@ -148,7 +148,7 @@ fn keeps_bytes(cx: &Context, job: &Job<'_>) -> bool {
 #[track_caller]
 fn upload_levels(
     cx: &mut Context,
-    job: &Job<'_>,
+    job: &MipmapJob<'_>,
     pixel: PixelFormat,
     mut grid: Grid,
     at: i32,
@@ -174,7 +174,7 @@ fn borrowed<'a>(data: &'a Pixels<'a>, bytes: &'a [u8]) -> Pixels<'a> {
 
 /// Hands a level to the GL.
 #[track_caller]
-fn upload(cx: &mut Context, job: &Job<'_>, level: i32, [w, h, d]: [i32; 3], type_: GLenum, data: Pixels<'_>) {
+fn upload(cx: &mut Context, job: &MipmapJob<'_>, level: i32, [w, h, d]: [i32; 3], type_: GLenum, data: Pixels<'_>) {
     let (target, inner, format) = (job.target, job.internal_format, job.format);
     match job.dimensions {
         1 => cx.tex_image_1d(target, level, inner, w, 0, format, type_, data),
@@ -203,7 +203,7 @@ fn nearest_power(n: i32) -> i32 {
 
 /// The size of level 0: powers of two, as large as the GL takes them.
 #[track_caller]
-fn fitting(cx: &mut Context, job: &Job<'_>, proxy: GLenum) -> [i32; 3] {
+fn fitting(cx: &mut Context, job: &MipmapJob<'_>, proxy: GLenum) -> [i32; 3] {
     let mut size = job.size.map(nearest_power);
     let mut limit = [0];
     cx.get_integerv(
@@ -229,8 +229,8 @@ fn fitting(cx: &mut Context, job: &Job<'_>, proxy: GLenum) -> [i32; 3] {
 
 /// Whether the proxy takes a texture of a size.
 #[track_caller]
-fn taken(cx: &mut Context, job: &Job<'_>, proxy: GLenum, size: [i32; 3]) -> bool {
-    let probe = Job { target: proxy, data: &Pixels::Null, ..*job };
+fn taken(cx: &mut Context, job: &MipmapJob<'_>, proxy: GLenum, size: [i32; 3]) -> bool {
+    let probe = MipmapJob { target: proxy, data: &Pixels::Null, ..*job };
     upload(cx, &probe, 0, size, job.type_, NULL.into());
     let mut width = [0];
     cx.get_tex_level_parameteriv(proxy, 0, GL_TEXTURE_WIDTH, &mut width);
@@ -238,8 +238,8 @@ fn taken(cx: &mut Context, job: &Job<'_>, proxy: GLenum, size: [i32; 3]) -> bool
 }
 
 /// The rules of the `...MipmapLevels` functions: powers of two, and base and max among the levels that there are.
-fn legal(levels: Levels, size: [i32; 3]) -> Result<(), ImageError> {
-    let Levels { level, base, max } = levels;
+fn legal(levels: MipmapLevels, size: [i32; 3]) -> Result<(), ImageError> {
+    let MipmapLevels { level, base, max } = levels;
     let power = size.iter().all(|n| n.count_ones() == 1);
     let last = size.iter().map(|n| n.ilog2() as i32).max().unwrap_or(0);
     if !power {
@@ -289,7 +289,7 @@ mod tests {
 
     #[test]
     fn levels_must_be_in_order_and_exist() {
-        let ok = |level, base, max, size| legal(Levels { level, base, max }, size).is_ok();
+        let ok = |level, base, max, size| legal(MipmapLevels { level, base, max }, size).is_ok();
         assert!(ok(0, 0, 3, [8, 1, 1]) && ok(1, 2, 3, [8, 4, 1]) && ok(0, 0, 0, [1, 1, 1]));
         assert!(!ok(0, 0, 4, [8, 1, 1]) && !ok(1, 0, 3, [8, 1, 1]) && !ok(0, 2, 1, [8, 1, 1]));
         assert!(!ok(0, 0, 1, [6, 2, 1]) && !ok(-1, 0, 0, [8, 1, 1]) && !ok(i32::MAX, i32::MAX, i32::MAX, [8, 1, 1]));

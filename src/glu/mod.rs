@@ -21,7 +21,7 @@ pub use matrices::{
     IDENTITY, Matrix, look_at, look_at_matrix, ortho_2d, perspective, perspective_matrix, pick_matrix,
     pick_matrix_matrix,
 };
-pub use mipmap::Levels;
+pub use mipmap::MipmapLevels;
 pub use project::{project, un_project, un_project4};
 pub use quadrics::{ErrorCallback, Quadric};
 pub use strings::{check_extension, error_string, get_string};
@@ -44,7 +44,7 @@ pub fn build_1d_mipmaps<'a>(
 ) -> i32 {
     let (size, data) = ([width, 1, 1], &data.into());
     let internal_format = internal_format.into_int();
-    let job = mipmap::Job { dimensions: 1, target, internal_format, size, format, type_, data };
+    let job = mipmap::MipmapJob { dimensions: 1, target, internal_format, size, format, type_, data };
     mipmap::build(cx, "gluBuild1DMipmaps", &job, None)
 }
 
@@ -63,7 +63,7 @@ pub fn build_2d_mipmaps<'a>(
 ) -> i32 {
     let (size, data) = ([width, height, 1], &data.into());
     let internal_format = internal_format.into_int();
-    let job = mipmap::Job { dimensions: 2, target, internal_format, size, format, type_, data };
+    let job = mipmap::MipmapJob { dimensions: 2, target, internal_format, size, format, type_, data };
     mipmap::build(cx, "gluBuild2DMipmaps", &job, None)
 }
 
@@ -83,7 +83,7 @@ pub fn build_3d_mipmaps<'a>(
 ) -> i32 {
     let (size, data) = ([width, height, depth], &data.into());
     let internal_format = internal_format.into_int();
-    let job = mipmap::Job { dimensions: 3, target, internal_format, size, format, type_, data };
+    let job = mipmap::MipmapJob { dimensions: 3, target, internal_format, size, format, type_, data };
     mipmap::build(cx, "gluBuild3DMipmaps", &job, None)
 }
 
@@ -97,12 +97,12 @@ pub fn build_1d_mipmap_levels<'a>(
     width: i32,
     format: GLenum,
     type_: GLenum,
-    levels: Levels,
+    levels: MipmapLevels,
     data: impl Into<Pixels<'a>>,
 ) -> i32 {
     let (size, data) = ([width, 1, 1], &data.into());
     let internal_format = internal_format.into_int();
-    let job = mipmap::Job { dimensions: 1, target, internal_format, size, format, type_, data };
+    let job = mipmap::MipmapJob { dimensions: 1, target, internal_format, size, format, type_, data };
     mipmap::build(cx, "gluBuild1DMipmapLevels", &job, Some(levels))
 }
 
@@ -117,12 +117,12 @@ pub fn build_2d_mipmap_levels<'a>(
     height: i32,
     format: GLenum,
     type_: GLenum,
-    levels: Levels,
+    levels: MipmapLevels,
     data: impl Into<Pixels<'a>>,
 ) -> i32 {
     let (size, data) = ([width, height, 1], &data.into());
     let internal_format = internal_format.into_int();
-    let job = mipmap::Job { dimensions: 2, target, internal_format, size, format, type_, data };
+    let job = mipmap::MipmapJob { dimensions: 2, target, internal_format, size, format, type_, data };
     mipmap::build(cx, "gluBuild2DMipmapLevels", &job, Some(levels))
 }
 
@@ -138,12 +138,12 @@ pub fn build_3d_mipmap_levels<'a>(
     depth: i32,
     format: GLenum,
     type_: GLenum,
-    levels: Levels,
+    levels: MipmapLevels,
     data: impl Into<Pixels<'a>>,
 ) -> i32 {
     let (size, data) = ([width, height, depth], &data.into());
     let internal_format = internal_format.into_int();
-    let job = mipmap::Job { dimensions: 3, target, internal_format, size, format, type_, data };
+    let job = mipmap::MipmapJob { dimensions: 3, target, internal_format, size, format, type_, data };
     mipmap::build(cx, "gluBuild3DMipmapLevels", &job, Some(levels))
 }
 

@@ -1,7 +1,7 @@
 //! Drawing a surface of revolution (GLU 1.3, chapter 6): every quadric is rings of points around the z axis.
 //!
 //! A quadric is a small table: where ring `j` is (radius and height), how its normal leans, and what its texture
-//! coordinates are. What the draw styles do with rings and slices is written once, here, against a [`Sink`] that is a
+//! coordinates are. What the draw styles do with rings and slices is written once, here, against a [`PrimitiveSink`] that is a
 //! context or, in the tests, a list. Slices run from +y towards +x, as GLU's do.
 
 use super::constants::*;
@@ -9,7 +9,7 @@ use crate::enums::*;
 use crate::num::sin_cos_deg;
 
 /// What takes the primitives.
-pub(super) trait Sink {
+pub(super) trait PrimitiveSink {
     fn begin(&mut self, mode: GLenum);
     fn end(&mut self);
     fn normal(&mut self, n: [f64; 3]);
@@ -73,7 +73,7 @@ pub(super) struct Look {
 
 impl<R: Fn(f64) -> Ring> Revolution<R> {
     /// Draws the surface as `look` says.
-    pub fn draw(&self, look: Look, sink: &mut impl Sink) {
+    pub fn draw(&self, look: Look, sink: &mut impl PrimitiveSink) {
         match look.style {
             GLU_POINT => self.points(look, sink),
             GLU_LINE | GLU_SILHOUETTE => self.lines(look, sink),
@@ -88,7 +88,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Bands of quads. The pair (ring j, ring j+1) faces outward in the order of the slices; inward the pair is swapped.
-    fn fill(&self, look: Look, sink: &mut impl Sink) {
+    fn fill(&self, look: Look, sink: &mut impl PrimitiveSink) {
         let hub = self.shape == Shape::Disk;
         let bands = if hub { self.bands - 1 } else { self.bands };
         if hub {
@@ -108,7 +108,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// The innermost band of a disk without a hole.
-    fn fan(&self, look: Look, sink: &mut impl Sink) {
+    fn fan(&self, look: Look, sink: &mut impl PrimitiveSink) {
         sink.begin(GL_TRIANGLE_FAN);
         self.point(look, 0, self.bands, [0.0; 2], sink);
         for i in 0..=self.slices {
@@ -119,7 +119,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Rings and slices as lines.
-    fn lines(&self, look: Look, sink: &mut impl Sink) {
+    fn lines(&self, look: Look, sink: &mut impl PrimitiveSink) {
         let silhouette = look.style == GLU_SILHOUETTE;
         let closed = self.sweep >= 360.0;
         let coplanar = matches!(self.shape, Shape::Ring | Shape::Disk);
@@ -156,7 +156,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Every vertex once.
-    fn points(&self, look: Look, sink: &mut impl Sink) {
+    fn points(&self, look: Look, sink: &mut impl PrimitiveSink) {
         let look = Look { normals: if look.normals == GLU_NONE { GLU_NONE } else { GLU_SMOOTH }, ..look };
         let slices = if self.sweep >= 360.0 { self.slices } else { self.slices + 1 };
         sink.begin(GL_POINTS);
@@ -177,7 +177,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Sends a vertex: slice `i` of ring `j`; a flat normal is that at the parameters `facet` (slice, ring).
-    fn point(&self, look: Look, i: u32, j: u32, facet: [f64; 2], sink: &mut impl Sink) {
+    fn point(&self, look: Look, i: u32, j: u32, facet: [f64; 2], sink: &mut impl PrimitiveSink) {
         let (i, j) = (f64::from(i), f64::from(j));
         let ring = (self.ring)(j);
         let [x, y] = self.direction(i);

@@ -9,7 +9,7 @@ use super::grid::{Grid, Kernel};
 use crate::enums::*;
 use crate::error::{GlError, invalid_value};
 use crate::num::clamp01;
-use crate::pixels::format::{Kind, PixelFormat, Type};
+use crate::pixels::format::{PixelFormat, PixelKind, Type};
 use crate::pixels::pack::ClientTarget;
 use crate::pixels::transfer::Transfer;
 use crate::pixels::unpack::ClientImage;
@@ -82,7 +82,7 @@ fn pack_row(target: &mut ClientTarget<'_>, y: usize, row: &mut [[f32; 4]]) -> Re
     let pixel = target.pixel();
     let at = [0, y, 0];
     match pixel.kind() {
-        Kind::Color => {
+        PixelKind::Color => {
             for texel in &mut *row {
                 *texel = texel.map(|v| quantised(v, pixel.type_));
                 if pixel.format.is_luminance() {
@@ -92,7 +92,7 @@ fn pack_row(target: &mut ClientTarget<'_>, y: usize, row: &mut [[f32; 4]]) -> Re
             }
             target.colors(at, Transfer::NEUTRAL, row);
         }
-        Kind::Index | Kind::Stencil => {
+        PixelKind::Index | PixelKind::Stencil => {
             let mut indices = super::grid::try_vec(row.len(), 0u32).ok_or(ImageError::Memory)?;
             for (index, texel) in indices.iter_mut().zip(&*row) {
                 // A number of 16 bits as everything here; `as` limits and makes NaN 0.
@@ -102,7 +102,7 @@ fn pack_row(target: &mut ClientTarget<'_>, y: usize, row: &mut [[f32; 4]]) -> Re
             }
             target.raw_indices(at, &indices);
         }
-        Kind::Depth | Kind::DepthStencil => {
+        PixelKind::Depth | PixelKind::DepthStencil => {
             let mut depths = super::grid::try_vec(row.len(), 0.0f32).ok_or(ImageError::Memory)?;
             for (depth, texel) in depths.iter_mut().zip(&*row) {
                 *depth = quantised(texel[0], pixel.type_);

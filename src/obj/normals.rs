@@ -18,7 +18,7 @@ pub(super) fn compute(obj: &mut Obj) {
     let units: Vec<[f64; 3]> = normals.iter().map(|&n| unit(n)).collect();
     let meetings = Meetings::new(&points, &faces);
 
-    let mut new = Vertices::default();
+    let mut new = SplitVertices::default();
     let mut indices = Vec::with_capacity(faces.len() * 3);
     for (f, face) in faces.iter().enumerate() {
         for &corner in face {
@@ -46,14 +46,14 @@ pub(super) fn compute(obj: &mut Obj) {
 
 /// The arrays that come out.
 #[derive(Default)]
-struct Vertices {
+struct SplitVertices {
     positions: Vec<[f32; 3]>,
     tex_coords: Vec<[f32; 2]>,
     normals: Vec<[f32; 3]>,
     places: HashMap<(u32, [u32; 3]), u32>,
 }
 
-impl Vertices {
+impl SplitVertices {
     /// The vertex that is an old one with a normal.
     fn index(&mut self, obj: &Obj, old: u32, normal: [f32; 3]) -> u32 {
         *self.places.entry((old, normal.map(f32::to_bits))).or_insert_with(|| {

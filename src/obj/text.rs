@@ -19,17 +19,17 @@ pub(super) struct Checked {
 }
 
 /// How many positions, texture coordinates and normals there are.
-type Counts = [usize; 3];
+type ElementCounts = [usize; 3];
 
 /// A corner as the file has it: numbers that count from 1, or back from here; 0 for a part that is not there.
-type Corner = [i64; 3];
+type FaceCorner = [i64; 3];
 
 const PARTS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
 /// Checks a file; the error says in which line it is and what to do.
 pub(super) fn check(source: &str) -> Result<Checked, String> {
     let lines = logical_lines(source);
-    let mut total: Counts = [0; 3];
+    let mut total: ElementCounts = [0; 3];
     let (mut any_tex_coord, mut all_tex_coords, mut all_normals) = (false, true, true);
     for (number, line) in &lines {
         let at = |message: String| format!("line {number}: {message}");
@@ -54,7 +54,7 @@ pub(super) fn check(source: &str) -> Result<Checked, String> {
     if default_tex_coord {
         out.push_str("vt 0 0\n");
     }
-    let (mut seen, mut small): (Counts, usize) = ([0; 3], 0);
+    let (mut seen, mut small): (ElementCounts, usize) = ([0; 3], 0);
     for (number, line) in &lines {
         let at = |message: String| format!("line {number}: {message}");
         let (keyword, rest) = keyword(line);
@@ -142,7 +142,7 @@ fn numbers(rest: &str, least: usize) -> Result<(), String> {
 }
 
 /// The corners of a face.
-fn corners(rest: &str) -> Result<Vec<Corner>, String> {
+fn corners(rest: &str) -> Result<Vec<FaceCorner>, String> {
     rest.split_whitespace()
         .map(|word| {
             let mut corner = [0; 3];
@@ -164,7 +164,7 @@ fn corners(rest: &str) -> Result<Vec<Corner>, String> {
 }
 
 /// A corner with absolute indices, after a look whether they exist.
-fn absolute(corner: Corner, seen: Counts, total: Counts) -> Result<[usize; 3], String> {
+fn absolute(corner: FaceCorner, seen: ElementCounts, total: ElementCounts) -> Result<[usize; 3], String> {
     let mut out = [0; 3];
     for (i, index) in corner.into_iter().enumerate() {
         let there = if index < 0 { seen[i] } else { total[i] };

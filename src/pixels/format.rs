@@ -8,7 +8,7 @@ use crate::error::{GlError, Outcome, invalid_enum, invalid_operation};
 
 /// What the groups of a format are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum PixelKind {
     /// Red, green, blue, alpha, luminance in some selection.
     Color,
     /// A colour index.
@@ -55,25 +55,25 @@ pub enum Format {
 }
 
 /// Every format with its name, its kind, and where each component goes in R, G, B, A (a luminance goes to R).
-const FORMATS: [(GLenum, Format, Kind, &[usize]); 14] = [
-    (GL_COLOR_INDEX, Format::ColorIndex, Kind::Index, &[0]),
-    (GL_STENCIL_INDEX, Format::StencilIndex, Kind::Stencil, &[0]),
-    (GL_DEPTH_COMPONENT, Format::DepthComponent, Kind::Depth, &[0]),
-    (GL_DEPTH_STENCIL_EXT, Format::DepthStencil, Kind::DepthStencil, &[0]),
-    (GL_RED, Format::Red, Kind::Color, &[0]),
-    (GL_GREEN, Format::Green, Kind::Color, &[1]),
-    (GL_BLUE, Format::Blue, Kind::Color, &[2]),
-    (GL_ALPHA, Format::Alpha, Kind::Color, &[3]),
-    (GL_RGB, Format::Rgb, Kind::Color, &[0, 1, 2]),
-    (GL_RGBA, Format::Rgba, Kind::Color, &[0, 1, 2, 3]),
-    (GL_BGR, Format::Bgr, Kind::Color, &[2, 1, 0]),
-    (GL_BGRA, Format::Bgra, Kind::Color, &[2, 1, 0, 3]),
-    (GL_LUMINANCE, Format::Luminance, Kind::Color, &[0]),
-    (GL_LUMINANCE_ALPHA, Format::LuminanceAlpha, Kind::Color, &[0, 3]),
+const FORMATS: [(GLenum, Format, PixelKind, &[usize]); 14] = [
+    (GL_COLOR_INDEX, Format::ColorIndex, PixelKind::Index, &[0]),
+    (GL_STENCIL_INDEX, Format::StencilIndex, PixelKind::Stencil, &[0]),
+    (GL_DEPTH_COMPONENT, Format::DepthComponent, PixelKind::Depth, &[0]),
+    (GL_DEPTH_STENCIL_EXT, Format::DepthStencil, PixelKind::DepthStencil, &[0]),
+    (GL_RED, Format::Red, PixelKind::Color, &[0]),
+    (GL_GREEN, Format::Green, PixelKind::Color, &[1]),
+    (GL_BLUE, Format::Blue, PixelKind::Color, &[2]),
+    (GL_ALPHA, Format::Alpha, PixelKind::Color, &[3]),
+    (GL_RGB, Format::Rgb, PixelKind::Color, &[0, 1, 2]),
+    (GL_RGBA, Format::Rgba, PixelKind::Color, &[0, 1, 2, 3]),
+    (GL_BGR, Format::Bgr, PixelKind::Color, &[2, 1, 0]),
+    (GL_BGRA, Format::Bgra, PixelKind::Color, &[2, 1, 0, 3]),
+    (GL_LUMINANCE, Format::Luminance, PixelKind::Color, &[0]),
+    (GL_LUMINANCE_ALPHA, Format::LuminanceAlpha, PixelKind::Color, &[0, 3]),
 ];
 
 impl Format {
-    fn row(self) -> &'static (GLenum, Format, Kind, &'static [usize]) {
+    fn row(self) -> &'static (GLenum, Format, PixelKind, &'static [usize]) {
         &FORMATS[self as usize]
     }
 
@@ -85,7 +85,7 @@ impl Format {
 
     /// What its groups are.
     #[must_use]
-    pub fn kind(self) -> Kind {
+    pub fn kind(self) -> PixelKind {
         self.row().2
     }
 
@@ -230,7 +230,7 @@ impl PixelFormat {
         })?;
         let pair = || format!("type {} does not go with format {}", name(type_), name(format));
         match typ {
-            Type::Bitmap if !matches!(kind, Kind::Index | Kind::Stencil) => {
+            Type::Bitmap if !matches!(kind, PixelKind::Index | PixelKind::Stencil) => {
                 Err(invalid_enum(format!("{}; a bitmap holds indices only", pair())))
             }
             Type::Packed(packing) => {
@@ -272,7 +272,7 @@ impl PixelFormat {
 
     /// What the groups are.
     #[must_use]
-    pub fn kind(self) -> Kind {
+    pub fn kind(self) -> PixelKind {
         self.format.kind()
     }
 

@@ -5,13 +5,13 @@
 
 pub mod element;
 pub mod format;
-pub mod geometry;
+pub mod layout;
 pub mod pack;
 pub mod transfer;
 pub mod unpack;
 
-pub use format::{Format, Kind, PixelFormat, Purpose, Type};
-pub use geometry::{image_bytes, image_bytes_2d};
+pub use format::{Format, PixelFormat, PixelKind, Purpose, Type};
+pub use layout::{image_bytes, image_bytes_2d};
 pub use pack::ClientTarget;
 pub use transfer::Transfer;
 pub use unpack::ClientImage;

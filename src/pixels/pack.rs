@@ -5,7 +5,7 @@
 
 use super::element::{Element, from_rgba8};
 use super::format::{Format, Packing, PixelFormat, Type};
-use super::geometry::Geometry;
+use super::layout::ClientLayout;
 use super::transfer::Transfer;
 use super::unpack::swap_red_blue;
 use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
@@ -20,7 +20,7 @@ const CHUNK: usize = 64;
 #[derive(Debug)]
 pub struct ClientTarget<'a> {
     bytes: &'a mut [u8],
-    geometry: Geometry,
+    layout: ClientLayout,
     pixel: PixelFormat,
     swap: bool,
     lsb_first: bool,
@@ -34,7 +34,7 @@ impl<'a> ClientTarget<'a> {
         size: [i32; 2],
         pixel: PixelFormat,
     ) -> Outcome<ClientTarget<'a>> {
-        ClientTarget::checked(bytes, store, Geometry::of_2d(store, size, pixel)?, pixel)
+        ClientTarget::checked(bytes, store, ClientLayout::of_2d(store, size, pixel)?, pixel)
     }
 
     /// A 3D image.
@@ -44,23 +44,23 @@ impl<'a> ClientTarget<'a> {
         size: [i32; 3],
         pixel: PixelFormat,
     ) -> Outcome<ClientTarget<'a>> {
-        ClientTarget::checked(bytes, store, Geometry::of_3d(store, size, pixel)?, pixel)
+        ClientTarget::checked(bytes, store, ClientLayout::of_3d(store, size, pixel)?, pixel)
     }
 
     fn checked(
         bytes: &'a mut [u8],
         store: &PixelStore,
-        geometry: Geometry,
+        layout: ClientLayout,
         pixel: PixelFormat,
     ) -> Outcome<ClientTarget<'a>> {
-        geometry.check_len(bytes.len())?;
-        Ok(ClientTarget { bytes, geometry, pixel, swap: store.swap_bytes, lsb_first: store.lsb_first })
+        layout.check_len(bytes.len())?;
+        Ok(ClientTarget { bytes, layout, pixel, swap: store.swap_bytes, lsb_first: store.lsb_first })
     }
 
     /// Width, height and depth.
     #[must_use]
     pub fn size(&self) -> [usize; 3] {
-        [self.geometry.width, self.geometry.height, self.geometry.depth]
+        [self.layout.width, self.layout.height, self.layout.depth]
     }
 
     /// Its format and type.
@@ -71,7 +71,7 @@ impl<'a> ClientTarget<'a> {
 
     /// The bytes of groups `x`.. of row `y`; empty outside the image. Not for bitmaps.
     fn groups(&mut self, [x, y, z]: [usize; 3]) -> &mut [u8] {
-        let g = &self.geometry;
+        let g = &self.layout;
         if x >= g.width || y >= g.height || z >= g.depth {
             return &mut [];
         }
@@ -80,7 +80,7 @@ impl<'a> ClientTarget<'a> {
     }
 
     fn set_bit(&mut self, [x, y, z]: [usize; 3], on: bool) {
-        let g = &self.geometry;
+        let g = &self.layout;
         if x >= g.width || y >= g.height || z >= g.depth {
             return;
         }

@@ -31,7 +31,7 @@ fn pixel(format: GLenum, type_: GLenum) -> PixelFormat {
 /// Packs rows of colours (7 x 3) into fresh memory of 0xA5 bytes.
 fn pack_colors(store: &PixelStore, pixel: PixelFormat, rows: &[Vec<[f32; 4]>]) -> Vec<u8> {
     let size = [rows[0].len() as i32, rows.len() as i32];
-    let mut bytes = vec![0xA5; geometry::Geometry::of_2d(store, size, pixel).unwrap().total];
+    let mut bytes = vec![0xA5; layout::ClientLayout::of_2d(store, size, pixel).unwrap().total];
     let mut target = ClientTarget::new_2d(&mut bytes, store, size, pixel).unwrap();
     for (y, row) in rows.iter().enumerate() {
         target.colors([0, y, 0], Transfer::NEUTRAL, row);
@@ -55,7 +55,7 @@ fn every_color_pair_comes_back() {
     let mut seen = 0;
     for (format, type_) in all_pairs() {
         let Ok(pair) = PixelFormat::new(format, type_) else { continue };
-        if pair.kind() != Kind::Color {
+        if pair.kind() != PixelKind::Color {
             continue;
         }
         for swap_bytes in [false, true] {
@@ -92,7 +92,7 @@ fn every_color_pair_comes_back() {
 fn the_short_way_is_the_long_way() {
     for (format, type_) in all_pairs() {
         let Ok(pair) = PixelFormat::new(format, type_) else { continue };
-        if pair.kind() != Kind::Color {
+        if pair.kind() != PixelKind::Color {
             continue;
         }
         for swap_bytes in [false, true] {

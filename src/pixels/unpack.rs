@@ -4,8 +4,8 @@
 //! Bytes that go to packed colours untouched take a short way that copies them.
 
 use super::element::{Element, to_rgba8};
-use super::format::{Format, Kind, Packing, PixelFormat, Type};
-use super::geometry::Geometry;
+use super::format::{Format, Packing, PixelFormat, PixelKind, Type};
+use super::layout::ClientLayout;
 use super::transfer::Transfer;
 use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
 use crate::error::Outcome;
@@ -20,7 +20,7 @@ const CHUNK: usize = 64;
 #[derive(Clone, Copy, Debug)]
 pub struct ClientImage<'a> {
     bytes: &'a [u8],
-    geometry: Geometry,
+    layout: ClientLayout,
     pixel: PixelFormat,
     swap: bool,
     lsb_first: bool,
@@ -29,28 +29,28 @@ pub struct ClientImage<'a> {
 impl<'a> ClientImage<'a> {
     /// A 1D (height 1) or 2D image; skipped slices do not apply.
     pub fn new_2d(bytes: &'a [u8], store: &PixelStore, size: [i32; 2], pixel: PixelFormat) -> Outcome<ClientImage<'a>> {
-        ClientImage::checked(bytes, store, Geometry::of_2d(store, size, pixel)?, pixel)
+        ClientImage::checked(bytes, store, ClientLayout::of_2d(store, size, pixel)?, pixel)
     }
 
     /// A 3D image.
     pub fn new_3d(bytes: &'a [u8], store: &PixelStore, size: [i32; 3], pixel: PixelFormat) -> Outcome<ClientImage<'a>> {
-        ClientImage::checked(bytes, store, Geometry::of_3d(store, size, pixel)?, pixel)
+        ClientImage::checked(bytes, store, ClientLayout::of_3d(store, size, pixel)?, pixel)
     }
 
     fn checked(
         bytes: &'a [u8],
         store: &PixelStore,
-        geometry: Geometry,
+        layout: ClientLayout,
         pixel: PixelFormat,
     ) -> Outcome<ClientImage<'a>> {
-        geometry.check_len(bytes.len())?;
-        Ok(ClientImage { bytes, geometry, pixel, swap: store.swap_bytes, lsb_first: store.lsb_first })
+        layout.check_len(bytes.len())?;
+        Ok(ClientImage { bytes, layout, pixel, swap: store.swap_bytes, lsb_first: store.lsb_first })
     }
 
     /// Width, height and depth.
     #[must_use]
     pub fn size(&self) -> [usize; 3] {
-        [self.geometry.width, self.geometry.height, self.geometry.depth]
+        [self.layout.width, self.layout.height, self.layout.depth]
     }
 
     /// Its format and type.
@@ -61,7 +61,7 @@ impl<'a> ClientImage<'a> {
 
     /// The bytes from group `x` of row `y` on, to the end of the row; empty outside the image. Not for bitmaps.
     fn groups(&self, [x, y, z]: [usize; 3]) -> &'a [u8] {
-        let g = &self.geometry;
+        let g = &self.layout;
         if x >= g.width || y >= g.height || z >= g.depth {
             return &[];
         }
@@ -72,7 +72,7 @@ impl<'a> ClientImage<'a> {
     /// The bit of group (x, y, z) of a bitmap; false outside.
     #[must_use]
     pub fn bit(&self, [x, y, z]: [usize; 3]) -> bool {
-        let g = &self.geometry;
+        let g = &self.layout;
         if x >= g.width || y >= g.height || z >= g.depth {
             return false;
         }
@@ -141,7 +141,7 @@ impl<'a> ClientImage<'a> {
 
     /// The colours from group `at` on, after transfer, in [0, 1]. Colour indices become colours through the maps.
     pub fn colors(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [[f32; 4]]) {
-        if self.pixel.kind() == Kind::Index {
+        if self.pixel.kind() == PixelKind::Index {
             let mut raw = [0.0; CHUNK];
             for (n, part) in out.chunks_mut(CHUNK).enumerate() {
                 let raw = &mut raw[..part.len()];

@@ -81,7 +81,7 @@ pub(super) fn flush<P: Shader>(
     let area = u64::from(framebuffer.width()) * u64::from(height);
     let layered = geometry.pixels >= 2 * area && flush.is_large();
     // So does a clear that waits, if most of what it fills is drawn into.
-    let clears = framebuffer.is_waiting() && geometry.pixels >= area / 2;
+    let clears = framebuffer.has_deferred_clear() && geometry.pixels >= area / 2;
     if workers == 1 && !layered && !clears {
         let mut band = framebuffer.band();
         if let Some(emitter) = emitters.first_mut() {
@@ -162,7 +162,7 @@ impl<P: Shader> Flush<'_, P> {
     /// Walks primitives over a band.
     pub fn walk(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
         let rows = band.y0 as i32..band.y0.saturating_add(band.rows) as i32;
-        band.settle();
+        band.apply_deferred_clear();
         to.begin(band, self.cut);
         let Some(first) = self.draws.first() else { return };
         let (planes, pool) = (&self.geometry.planes[..], self.geometry.pool.all());

@@ -265,7 +265,7 @@ impl<P: Shader> Round<'_, P> {
         let passed = |band: &Mutex<Band<'_>>| {
             let mut band = band.lock().ok()?;
             // A draw without pieces walks over no band, but a clear that waits must not get lost.
-            band.settle();
+            band.apply_deferred_clear();
             Some(band.samples)
         };
         bands.iter().filter_map(passed).sum()

@@ -16,3 +16,6 @@ pub use stage::{Cost, Plan, Stage, StageId, StageInfo, Step};
 
 /// How many lanes a batch has.
 pub const LANES: usize = 64;
+
+/// One float for each lane.
+pub type Lanes = [f32; LANES];

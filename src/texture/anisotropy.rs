@@ -11,7 +11,7 @@
 //! sum. With N = 1 the one tap is the centre and lambda that of the isotropic filter, bit for bit. A ratio is allowed 2^-10
 //! above a whole number before it counts as more, so that rounding does not turn a square footprint into N = 2.
 
-use super::batch::{TexBatch, Work};
+use super::batch::{SamplerScratch, TexBatch};
 use super::lod::{lambda, span};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::num::{clamp_f32, floor_f32, max_f32, min_f32};
@@ -19,8 +19,8 @@ use crate::simd::{Cost, LANES, Stage, stage};
 
 #[inline(always)]
 fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
-    let TexBatch { coord, ddx, ddy, lambda: out, work, .. } = b;
-    let Work { lane_taps, tap_step, axis, center, .. } = work;
+    let TexBatch { coord, ddx, ddy, lambda: out, scratch, .. } = b;
+    let SamplerScratch { lane_taps, tap_step, axis, center, .. } = scratch;
     let mut along_x = [0u32; LANES];
     for i in 0..LANES {
         let (x, y) = (span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
@@ -47,10 +47,10 @@ fn count(b: &mut TexBatch) {
     let mut most = 1;
     for i in 0..LANES {
         let live = if (i as u32) < b.n as u32 { b.mask[i] } else { 0 };
-        let taps = crate::num::round_to_int(b.work.lane_taps[i]) as u32 & live;
+        let taps = crate::num::round_to_int(b.scratch.lane_taps[i]) as u32 & live;
         most = if taps > most { taps } else { most };
     }
-    b.work.taps = most;
+    b.scratch.taps = most;
 }
 
 stage! {
@@ -69,9 +69,9 @@ stage! {
     /// Lanes that read the nearest texel have one tap.
     pub fn NEAREST_ONE_TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
         for i in 0..LANES {
-            if b.work.nearest[i] != 0 {
-                b.work.lane_taps[i] = 1.0;
-                b.work.tap_step[i] = 0.5;
+            if b.scratch.nearest[i] != 0 {
+                b.scratch.lane_taps[i] = 1.0;
+                b.scratch.tap_step[i] = 0.5;
             }
         }
     }
@@ -81,12 +81,12 @@ stage! {
     }
     /// The coordinates of the tap at work; the argument says how many.
     pub fn TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, arg: u32) {
-        if b.work.taps == 1 {
+        if b.scratch.taps == 1 {
             return;
         }
         b.limit = [f32::INFINITY; 3];
         b.least = [f32::NEG_INFINITY; 3];
-        let TexBatch { coord, work: Work { center, axis, tap_step, tap, .. }, .. } = b;
+        let TexBatch { coord, scratch: SamplerScratch { center, axis, tap_step, tap, .. }, .. } = b;
         let tap = *tap as f32;
         for c in 0..(arg as usize).min(3) {
             for i in 0..LANES {
@@ -98,7 +98,7 @@ stage! {
     }
     /// Adds the colours of the tap to the sums of the lanes that have it.
     pub fn ADD_TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
-        let w = &mut b.work;
+        let w = &mut b.scratch;
         if w.taps == 1 {
             return;
         }
@@ -118,7 +118,7 @@ stage! {
     }
     /// The mean of the taps.
     pub fn MEAN_OF_TAPS: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
-        let w = &mut b.work;
+        let w = &mut b.scratch;
         if w.taps == 1 {
             return;
         }
@@ -158,8 +158,8 @@ mod tests {
     }
 
     /// A footprint of x by y texels of 64.
-    fn footprint(x: f32, y: f32) -> Point {
-        Point { dx: [x / 64.0, 0.0, 0.0], dy: [0.0, y / 64.0, 0.0], ..at(0.4, 0.6, 0.0) }
+    fn footprint(x: f32, y: f32) -> SamplePoint {
+        SamplePoint { dx: [x / 64.0, 0.0, 0.0], dy: [0.0, y / 64.0, 0.0], ..at(0.4, 0.6, 0.0) }
     }
 
     #[test]
@@ -193,13 +193,13 @@ mod tests {
         o.parameters.lod_bias = -9.0;
         o.parameters.max_lod = 1.0;
         // Px = 8 texels, Py = 1: three taps at -1/4, 0, +1/4 of 8 texels around the centre of texel 7.
-        let p = Point { dx: [0.5, 0.0, 0.0], dy: [0.0, 0.25, 0.0], ..at(7.5 / 16.0, 0.4, 0.0) };
+        let p = SamplePoint { dx: [0.5, 0.0, 0.0], dy: [0.0, 0.25, 0.0], ..at(7.5 / 16.0, 0.4, 0.0) };
         assert!((red(&o, p) - (25.0 + 49.0 + 81.0) / 3.0).abs() < 0.001, "{}", red(&o, p));
     }
 
     #[test]
     fn a_square_footprint_is_the_isotropic_filter_bit_for_bit() {
-        let points: Vec<Point> = (0..64)
+        let points: Vec<SamplePoint> = (0..64)
             .map(|i| with_lambda(at(i as f32 * 0.37, i as f32 * 0.11, 0.0), f64::from(i) * 0.1 - 1.0, 64.0))
             .collect();
         let texels = |aniso| {

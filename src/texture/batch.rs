@@ -4,20 +4,18 @@
 
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
-
-/// One float for each lane.
-pub type Lanes = [f32; LANES];
+pub use crate::simd::Lanes;
 
 /// What is known of the derivatives in all live lanes of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Detail {
+pub enum Derivatives {
     /// Nothing: each lane has its own.
     #[default]
-    Lanes,
+    PerLane,
     /// They are the same in all lanes, so lane 0 tells for the others.
-    Even,
+    Uniform,
     /// They are not there, since this level, counted from the base level, is the only one that live lanes read.
-    Level(u32),
+    OneLevel(u32),
 }
 
 /// The texture part of a fragment batch.
@@ -48,13 +46,13 @@ pub struct TexBatch {
     /// Texels of a sampler that gives them packed ([`Sampler::pack`](super::sampler::Sampler::pack)).
     pub packed: [u32; LANES],
     /// What the stages of a sampler hand to each other.
-    pub(super) work: Work,
+    pub(super) scratch: SamplerScratch,
     /// No coordinate of a lane is farther from 0; infinity where that is not known. Who writes coordinates writes this.
     pub limit: [f32; 3],
     /// No coordinate of a lane is less; minus infinity where that is not known. Who writes coordinates writes this.
     pub least: [f32; 3],
     /// What is known of the derivatives. Who writes derivatives writes this.
-    pub detail: Detail,
+    pub derivatives: Derivatives,
     /// How many lanes are in use; stages may compute the rest, whose values mean nothing. (Last, so that all lanes are
     /// aligned to 64 bytes.)
     pub n: usize,
@@ -64,7 +62,7 @@ pub struct TexBatch {
 /// are indexed by the pass.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub(super) struct Work {
+pub(super) struct SamplerScratch {
     /// For each coordinate the first of the two texels along it, -1..=N-1 (NEAREST: the texel, -1..=N).
     pub first: [[i32; LANES]; 3],
     /// For each coordinate the weight of the second texel.
@@ -97,13 +95,13 @@ pub(super) struct Work {
     pub by_lambda: bool,
     /// How many taps of an anisotropic filter the batch needs.
     pub taps: u32,
-    /// The tap at work, from 1.
+    /// The tap in progress, from 1.
     pub tap: u32,
 }
 
 const Z: Lanes = [0.0; LANES];
 
-impl Work {
+impl SamplerScratch {
     fn new() -> Self {
         Self {
             first: [[0; LANES]; 3],
@@ -142,10 +140,10 @@ impl TexBatch {
             previous: [Z; 4],
             args: [[Z; 4]; 3],
             packed: [0; LANES],
-            work: Work::new(),
+            scratch: SamplerScratch::new(),
             limit: [f32::INFINITY; 3],
             least: [f32::NEG_INFINITY; 3],
-            detail: Detail::Lanes,
+            derivatives: Derivatives::PerLane,
             n: 0,
         }
     }

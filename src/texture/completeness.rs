@@ -204,8 +204,8 @@ mod tests {
     #[test]
     fn reasons() {
         let full = [(0, 4), (1, 2), (2, 1)];
-        type Row<'a> = (&'a [(usize, u32)], GLenum, &'a str);
-        let rows: [Row<'_>; 6] = [
+        type Case<'a> = (&'a [(usize, u32)], GLenum, &'a str);
+        let rows: [Case<'_>; 6] = [
             (&full, GL_LINEAR_MIPMAP_LINEAR, ""),
             (&full[..1], GL_LINEAR, ""),
             (&full[..2], GL_NEAREST_MIPMAP_LINEAR, "level 2 is missing"),

@@ -11,7 +11,7 @@
 //! Of equal components z goes before y and y before x. The zero vector reads the middle of face +z. Derivatives are those
 //! of the projection on the fragment's own face, so no edge between faces ever enters a level of detail.
 
-use super::batch::{Detail, TexBatch};
+use super::batch::{Derivatives, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::simd::{LANES, stage};
 
@@ -35,8 +35,8 @@ fn project(is_x: bool, is_y: bool, ma: f32, x: f32, y: f32, z: f32) -> (f32, f32
 fn faces(b: &mut TexBatch, derivatives: bool) {
     b.limit = [f32::INFINITY; 3];
     b.least = [f32::NEG_INFINITY; 3];
-    b.detail = Detail::Lanes;
-    let TexBatch { coord: [cs, ct, cr], ddx: [sx, tx, rx], ddy: [sy, ty, ry], work, .. } = b;
+    b.derivatives = Derivatives::PerLane;
+    let TexBatch { coord: [cs, ct, cr], ddx: [sx, tx, rx], ddy: [sy, ty, ry], scratch, .. } = b;
     for i in 0..LANES {
         let (x, y, z) = (cs[i], ct[i], cr[i]);
         let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
@@ -51,7 +51,7 @@ fn faces(b: &mut TexBatch, derivatives: bool) {
         let (s, t) = (sc / m, tc / m);
         let face = if is_y { 2 } else { 4 };
         let face = if is_x { 0 } else { face };
-        work.face[i] = if ma < 0.0 { face + 1 } else { face };
+        scratch.face[i] = if ma < 0.0 { face + 1 } else { face };
         cs[i] = 0.5 * s + 0.5;
         ct[i] = 0.5 * t + 0.5;
         if derivatives {
@@ -142,11 +142,11 @@ mod tests {
         (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
         // On face +z at distance m: s = x / 2m, so rho = 64 * dx / 2m; moving along the direction changes nothing.
         let (m, d) = (5.0f32, 0.7f32);
-        let p = Point { at: [0.0, 0.0, m], dx: [d, 0.0, 9.0], dy: [0.0, 0.1, -3.0] };
+        let p = SamplePoint { at: [0.0, 0.0, m], dx: [d, 0.0, 9.0], dy: [0.0, 0.1, -3.0] };
         let lambda = (64.0 * f64::from(d) / (2.0 * f64::from(m))).log2();
         assert!((f64::from(red(&o, p)) - 10.0 - 30.0 * lambda).abs() < 0.02, "{}", red(&o, p));
         // Away from the centre the change of m counts: ds/dx = (dx - s dm) / 2m with s = x/m.
-        let p = Point { at: [2.0, 0.0, m], dx: [d, 0.0, 0.5], dy: [0.0; 3] };
+        let p = SamplePoint { at: [2.0, 0.0, m], dx: [d, 0.0, 0.5], dy: [0.0; 3] };
         let lambda = (64.0 * (0.7 - 0.4 * 0.5) / 10.0f64).log2();
         assert!((f64::from(red(&o, p)) - 10.0 - 30.0 * lambda).abs() < 0.02, "{}", red(&o, p));
     }

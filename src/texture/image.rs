@@ -1,11 +1,11 @@
 //! One image of a texture (OpenGL 1.5, section 3.8.1): a level of a 1D, 2D, 3D or rectangle texture or of a cube face.
 //! Texels are stored as a sampler reads them: already converted to the internal format and expanded from its base format.
 //! Every dimension that the target has is padded by one texel on both sides. The ring holds the image's own border
-//! texels when it has a border, else what the wrap modes need there ([`Image::fill_pads`]), so that a linear filter
+//! texels when it has a border, else what the wrap modes need there ([`Image::fill_padding`]), so that a linear filter
 //! reads texels i and i + 1 for every i in -1..N without a thought of wrapping.
 
 use super::format::{BaseFormat, InternalFormat, Storage};
-use super::padding::PadKey;
+use super::padding::PaddingKey;
 use super::s3tc::Fit;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
@@ -23,13 +23,16 @@ pub enum Dimensions {
     Three,
 }
 
+/// A texel of floats, or one before it is rounded.
+pub type FloatTexel = [f32; 4];
+
 /// The texels of an image with its ring, row after row, slice after slice.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Texels {
     /// Bytes R, G, B, A from low to high.
     Rgba8(Vec<u32>),
     /// R, G, B, A of the formats with more than 8 bits a component.
-    Float(Vec<[f32; 4]>),
+    Float(Vec<FloatTexel>),
     /// Depths in [0, 1].
     Depth(Vec<f32>),
 }
@@ -53,7 +56,7 @@ pub struct Image {
     pub depth: u32,
     /// 0 or 1: whether the ring holds border texels of the image.
     pub border: u32,
-    /// The texels, padded. What fills the ring is the business of [`Image::fill_pads`].
+    /// The texels, padded. What fills the ring is the business of [`Image::fill_padding`].
     pub texels: Texels,
     /// The S3TC blocks of a compressed image as they were given; `texels` holds them decoded.
     pub compressed: Option<Vec<u8>>,
@@ -63,7 +66,7 @@ pub struct Image {
     /// Whether alpha is known to be 255 in every texel, border texels included.
     pub(super) opaque: bool,
     /// What the ring is filled for now; `None` when it holds border texels or nothing yet.
-    pub(super) pads: Option<PadKey>,
+    pub(super) padded_for: Option<PaddingKey>,
     /// The texels with their border, kept while the ring of a bordered image is filled for other wraps.
     pub(super) bordered: Option<Box<Texels>>,
 }
@@ -156,7 +159,7 @@ impl Image {
             compressed: None,
             fit: Fit::default(),
             opaque: false,
-            pads: None,
+            padded_for: None,
             bordered: None,
         })
     }
@@ -176,7 +179,7 @@ impl Image {
             texels: self.texels.try_clone()?,
             compressed: self.compressed.clone(),
             bordered,
-            pads: self.pads,
+            padded_for: self.padded_for,
             ..*self
         })
     }
@@ -195,7 +198,7 @@ impl Image {
     /// Whether a sampler finds alpha 255 wherever it looks: in the texels, and in the ring as it is filled now.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.opaque && (self.border != 0 || self.pads.is_some_and(|key| !key.reads_border()))
+        self.opaque && (self.border != 0 || self.padded_for.is_some_and(|key| !key.reads_border()))
     }
 
     /// Texels from one row to the next.

@@ -13,7 +13,7 @@
 //! fragment has its own lambda; where w is constant over a batch's primitive they are constants, and one lambda serves all
 //! its fragments. What is no number ends as MIN_LOD.
 
-use super::batch::{Detail, Lanes, TexBatch};
+use super::batch::{Derivatives, Lanes, TexBatch};
 use super::uniforms::{TexFn, UnitUniforms};
 use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
 use crate::simd::{Cost, LANES, Stage, stage};
@@ -51,7 +51,7 @@ fn lambda_at<const DIMS: usize>(b: &TexBatch, u: &UnitUniforms, i: usize) -> f32
 /// Whether lane 0 is worked out for all lanes.
 #[inline(always)]
 fn once(b: &TexBatch, arg: u32) -> bool {
-    arg & ONCE != 0 && b.detail == Detail::Even
+    arg & ONCE != 0 && b.derivatives == Derivatives::Uniform
 }
 
 #[inline(always)]
@@ -60,7 +60,7 @@ fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         b.lambda = [lambda_at::<DIMS>(b, u, 0); LANES];
         return;
     }
-    if matches!(b.detail, Detail::Level(_)) {
+    if matches!(b.derivatives, Derivatives::OneLevel(_)) {
         return;
     }
     for i in 0..LANES {
@@ -71,15 +71,15 @@ fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
 /// The two levels of *_MIPMAP_LINEAR by the lambda of each lane, and the weight of the second.
 #[inline(always)]
 fn linear_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-    if let Detail::Level(level) = b.detail {
+    if let Derivatives::OneLevel(level) = b.derivatives {
         return only(b, level);
     }
     if once(b, arg) {
         let l = clamp_f32(b.lambda[0], 0.0, u.last);
         let d = floor_f32(l);
-        b.work.fraction = [l - d; LANES];
-        b.work.two_levels = l - d != 0.0;
-        b.work.same = [d, min_f32(d + 1.0, u.last)].map(|level| Some(round_to_int(level) as usize));
+        b.scratch.fraction = [l - d; LANES];
+        b.scratch.two_levels = l - d != 0.0;
+        b.scratch.same = [d, min_f32(d + 1.0, u.last)].map(|level| Some(round_to_int(level) as usize));
         return;
     }
     let mut weights = 0;
@@ -87,20 +87,20 @@ fn linear_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         let l = clamp_f32(b.lambda[i], 0.0, u.last);
         let d = floor_f32(l);
         let live = if (i as u32) < b.n as u32 { b.mask[i] } else { 0 };
-        b.work.level[0][i] = round_to_int(d) as u32;
-        b.work.level[1][i] = round_to_int(min_f32(d + 1.0, u.last)) as u32;
-        b.work.fraction[i] = l - d;
+        b.scratch.level[0][i] = round_to_int(d) as u32;
+        b.scratch.level[1][i] = round_to_int(min_f32(d + 1.0, u.last)) as u32;
+        b.scratch.fraction[i] = l - d;
         weights |= (l - d).to_bits() & live;
     }
-    b.work.two_levels = weights != 0;
+    b.scratch.two_levels = weights != 0;
     set_same(b, u, arg);
 }
 
 /// All lanes read one level of a texture that is no cube map.
 #[inline(always)]
 fn only(b: &mut TexBatch, level: u32) {
-    b.work.two_levels = false;
-    b.work.same[0] = Some(level as usize);
+    b.scratch.two_levels = false;
+    b.scratch.same[0] = Some(level as usize);
 }
 
 /// The level that all lanes read, if the squares of rho (in `rho2`) are all well within the range of one level.
@@ -121,12 +121,12 @@ fn one_level(rho2: &Lanes, u: &UnitUniforms) -> Option<u32> {
 #[inline(always)]
 fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     if once(b, arg) {
-        b.work.by_lambda = true;
+        b.scratch.by_lambda = true;
         b.lambda[0] = lambda_at::<DIMS>(b, u, 0);
         return nearest_levels(b, u, arg);
     }
-    if let Detail::Level(level) = b.detail {
-        b.work.by_lambda = false;
+    if let Derivatives::OneLevel(level) = b.derivatives {
+        b.scratch.by_lambda = false;
         return only(b, level);
     }
     let TexBatch { ddx, ddy, lambda: rho2, .. } = b;
@@ -134,13 +134,13 @@ fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32
         rho2[i] = max_f32(span::<DIMS>(ddx, u, i), span::<DIMS>(ddy, u, i));
     }
     let level = one_level(rho2, u);
-    b.work.by_lambda = level.is_none();
+    b.scratch.by_lambda = level.is_none();
     match level {
         Some(level) => {
-            b.work.level[0] = [level; LANES];
-            b.work.two_levels = false;
+            b.scratch.level[0] = [level; LANES];
+            b.scratch.two_levels = false;
             if arg & CUBE == 0 {
-                b.work.same[0] = Some(level as usize);
+                b.scratch.same[0] = Some(level as usize);
             } else {
                 set_same(b, u, arg);
             }
@@ -162,9 +162,9 @@ fn nearest_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         return only(b, level(b.lambda[0]));
     }
     for i in 0..LANES {
-        b.work.level[0][i] = level(b.lambda[i]);
+        b.scratch.level[0][i] = level(b.lambda[i]);
     }
-    b.work.two_levels = false;
+    b.scratch.two_levels = false;
     set_same(b, u, arg);
 }
 
@@ -192,7 +192,7 @@ pub fn level_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f3
 
 /// The levels of a filter of mipmaps, for which limits of rho may be enough.
 #[derive(Clone, Debug)]
-pub struct Levels {
+pub struct RhoRanges {
     /// Texels of the base level per unit of the coordinates; 0 for those that address no texels.
     pub scale: [f64; 3],
     /// What is added to lambda.
@@ -205,7 +205,7 @@ pub struct Levels {
     pub blends: bool,
 }
 
-impl Levels {
+impl RhoRanges {
     /// Those of *_MIPMAP_NEAREST or, if it `blends`, of *_MIPMAP_LINEAR, whose levels stand alone only at both ends.
     #[must_use]
     pub fn new(u: &UnitUniforms, dims: usize, blends: bool) -> Self {
@@ -245,7 +245,7 @@ impl Levels {
         // Beyond, f32 might come to infinity.
         const FINITE: f64 = 1e30;
         let within = |[from, to]: &[f32; 2]| least >= f64::from(*from) && greatest < f64::from(*to);
-        let before = b.work.same[0].unwrap_or(0);
+        let before = b.scratch.same[0].unwrap_or(0);
         if !(greatest < FINITE) {
             None
         } else if self.ranges.get(before).is_some_and(within) {
@@ -308,7 +308,7 @@ fn uniform(n: usize, mask: &[u32; LANES], values: &[u32; LANES]) -> Option<u32> 
 fn set_same(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let n = b.n;
     let mask = &b.mask;
-    let w = &mut b.work;
+    let w = &mut b.scratch;
     let face = if arg & CUBE == 0 { Some(0) } else { uniform(n, mask, &w.face) };
     for pass in 0..if w.two_levels { 2 } else { 1 } {
         let level = face.and_then(|_| uniform(n, mask, &w.level[pass]));
@@ -342,7 +342,7 @@ stage! {
         let flip = if u.magnify_nearest { 0 } else { u32::MAX };
         for i in 0..LANES {
             let magnified = if b.lambda[i] <= u.magnify_below { u32::MAX } else { 0 };
-            b.work.nearest[i] = magnified ^ flip;
+            b.scratch.nearest[i] = magnified ^ flip;
             b.lambda[i] = if magnified != 0 { min_f32(b.lambda[i], 0.0) } else { b.lambda[i] };
         }
     }
@@ -368,15 +368,15 @@ stage! {
     }
     /// The base level of each lane's face.
     pub fn LEVEL_BASE: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        b.work.level[0] = [0; LANES];
-        b.work.two_levels = false;
+        b.scratch.level[0] = [0; LANES];
+        b.scratch.two_levels = false;
         set_same(b, u, arg);
     }
     /// Blends the colours of two levels and brings them to 0..1.
     pub fn MIX_LEVELS: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
         let k = f32::from_bits(arg);
         let Some(texel) = b.texel.get_mut(u.unit) else { return };
-        let w = &b.work;
+        let w = &b.scratch;
         for c in 0..4 {
             let (out, near, far) = (&mut texel[c], &w.color[0][c], &w.color[1][c]);
             if w.two_levels {

@@ -7,7 +7,7 @@ use crate::state::texture::{Target, TexParameters};
 use std::sync::Arc;
 
 /// The images of one face, by level.
-pub type Levels = [Option<Arc<Image>>; MAX_TEXTURE_LEVELS];
+pub type MipChain = [Option<Arc<Image>>; MAX_TEXTURE_LEVELS];
 
 /// A texture object.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub struct TextureObject {
     /// Filters, wraps, levels and the rest of table 6.16.
     pub parameters: TexParameters,
     /// One array of levels, or six for a cube map in the order +x, -x, +y, -y, +z, -z.
-    pub faces: Vec<Levels>,
+    pub faces: Vec<MipChain>,
     /// For each face the levels that GENERATE_MIPMAP owes it: the base level, and the last one to be made of it. They are
     /// made when somebody looks at them, or before the images that they depend on change in another way.
     pub owed: [Option<(usize, usize)>; 6],

@@ -10,7 +10,7 @@ use crate::pixels::element::{from_rgba8, to_rgba8};
 
 /// What stands beyond the two ends of one dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Pad {
+pub enum Padding {
     /// The texel of the opposite end: REPEAT.
     Repeat,
     /// The last texel again: CLAMP_TO_EDGE, MIRRORED_REPEAT and MIRROR_CLAMP_TO_EDGE.
@@ -21,43 +21,43 @@ pub enum Pad {
     MirrorBorder,
 }
 
-impl Pad {
+impl Padding {
     /// The pad that a wrap mode needs.
     #[must_use]
-    pub fn of_wrap(wrap: GLenum) -> Pad {
+    pub fn of_wrap(wrap: GLenum) -> Padding {
         match wrap {
-            GL_CLAMP | GL_CLAMP_TO_BORDER => Pad::Border,
-            GL_CLAMP_TO_EDGE | GL_MIRRORED_REPEAT | GL_MIRROR_CLAMP_TO_EDGE_EXT => Pad::Edge,
-            GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_BORDER_EXT => Pad::MirrorBorder,
-            _ => Pad::Repeat,
+            GL_CLAMP | GL_CLAMP_TO_BORDER => Padding::Border,
+            GL_CLAMP_TO_EDGE | GL_MIRRORED_REPEAT | GL_MIRROR_CLAMP_TO_EDGE_EXT => Padding::Edge,
+            GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_BORDER_EXT => Padding::MirrorBorder,
+            _ => Padding::Repeat,
         }
     }
 }
 
 /// What a ring is filled for: the pads of s, t, r and the border colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct PadKey {
-    pads: [Pad; 3],
+pub struct PaddingKey {
+    pads: [Padding; 3],
     border: [u32; 4],
 }
 
-impl PadKey {
+impl PaddingKey {
     /// The key of three wrap modes (as enumerants) and TEXTURE_BORDER_COLOR. The colour only counts where a wrap reads it.
     #[must_use]
-    pub fn new(wraps: [GLenum; 3], border_color: [f32; 4]) -> PadKey {
-        let key = PadKey { pads: wraps.map(Pad::of_wrap), border: [0; 4] };
-        PadKey { border: if key.reads_border() { border_color.map(f32::to_bits) } else { [0; 4] }, ..key }
+    pub fn new(wraps: [GLenum; 3], border_color: [f32; 4]) -> PaddingKey {
+        let key = PaddingKey { pads: wraps.map(Padding::of_wrap), border: [0; 4] };
+        PaddingKey { border: if key.reads_border() { border_color.map(f32::to_bits) } else { [0; 4] }, ..key }
     }
 
     /// Whether a wrap reads the border.
     #[must_use]
     pub fn reads_border(&self) -> bool {
-        self.pads.iter().any(|p| matches!(p, Pad::Border | Pad::MirrorBorder))
+        self.pads.iter().any(|p| matches!(p, Padding::Border | Padding::MirrorBorder))
     }
 
     /// The pads of s, t and r.
     #[must_use]
-    pub fn pads(&self) -> [Pad; 3] {
+    pub fn pads(&self) -> [Padding; 3] {
         self.pads
     }
 
@@ -71,19 +71,19 @@ impl PadKey {
 impl Image {
     /// Whether the ring already holds what `key` needs.
     #[must_use]
-    pub fn pads_are(&self, key: &PadKey) -> bool {
-        self.pads.as_ref() == Some(key)
+    pub fn is_padded_for(&self, key: &PaddingKey) -> bool {
+        self.padded_for.as_ref() == Some(key)
     }
 
     /// Fills the ring for `key`, unless it is filled for it already. The border texels of an image with a border stay
     /// where a wrap reads the border; where it does not, they are put aside and come back before the image is written.
-    pub fn fill_pads(&mut self, key: &PadKey) -> Outcome {
-        if self.pads_are(key) || self.is_null() {
+    pub fn fill_padding(&mut self, key: &PaddingKey) -> Outcome {
+        if self.is_padded_for(key) || self.is_null() {
             return Ok(());
         }
         if self.border == 0 {
             let color = self.border_texel(key.border_color());
-            let (layout, pads) = (Layout::of(self), key.pads);
+            let (layout, pads) = (RingLayout::of(self), key.pads);
             match &mut self.texels {
                 Texels::Rgba8(t) => layout.fill(t, pads, Some(to_rgba8(color))),
                 Texels::Float(t) => layout.fill(t, pads, Some(color)),
@@ -94,9 +94,9 @@ impl Image {
             self.show_border();
             self.opaque = opaque;
             let used = &key.pads[..self.dimensions as usize + 1];
-            if used.iter().any(|&pad| pad != Pad::Border) {
+            if used.iter().any(|&pad| pad != Padding::Border) {
                 self.bordered = Some(Box::new(self.texels.try_clone()?));
-                let (layout, pads) = (Layout::of(self), key.pads);
+                let (layout, pads) = (RingLayout::of(self), key.pads);
                 match &mut self.texels {
                     Texels::Rgba8(t) => layout.fill(t, pads, None),
                     Texels::Float(t) => layout.fill(t, pads, None),
@@ -104,7 +104,7 @@ impl Image {
                 }
             }
         }
-        self.pads = Some(*key);
+        self.padded_for = Some(*key);
         Ok(())
     }
 
@@ -114,7 +114,7 @@ impl Image {
         if let Some(bordered) = self.bordered.take() {
             self.texels = *bordered;
         }
-        self.pads = None;
+        self.padded_for = None;
         self.opaque = false;
     }
 
@@ -133,20 +133,20 @@ impl Image {
 
 /// Where rows and slices lie, for copying between them.
 #[derive(Clone, Copy)]
-struct Layout {
+struct RingLayout {
     size: [usize; 3],
     dimensions: Dimensions,
 }
 
-impl Layout {
-    fn of(image: &Image) -> Layout {
+impl RingLayout {
+    fn of(image: &Image) -> RingLayout {
         let size = [image.width as usize, image.height as usize, image.depth as usize];
-        Layout { size, dimensions: image.dimensions }
+        RingLayout { size, dimensions: image.dimensions }
     }
 
     /// Fills the ring dimension by dimension: first the two ends of every row, then whole rows, then whole slices. A
     /// corner thus gets what both dimensions ask for, and the border wins where either asks for it.
-    fn fill<T: Copy>(self, texels: &mut [T], pads: [Pad; 3], border: Option<T>) {
+    fn fill<T: Copy>(self, texels: &mut [T], pads: [Padding; 3], border: Option<T>) {
         let row = self.size[0] + 2;
         for texels in texels.chunks_exact_mut(row) {
             ends(texels, 1, self.size[0], pads[0], border);
@@ -165,26 +165,26 @@ impl Layout {
 }
 
 /// Fills the first and the last of n + 2 items of `unit` texels each. Without a border colour the border stays as it is.
-fn ends<T: Copy>(texels: &mut [T], unit: usize, n: usize, pad: Pad, border: Option<T>) {
+fn ends<T: Copy>(texels: &mut [T], unit: usize, n: usize, pad: Padding, border: Option<T>) {
     let last = n + 1;
     let mut copy = |from: usize, to: usize| texels.copy_within(from * unit..(from + 1) * unit, to * unit);
     match pad {
-        Pad::Repeat => {
+        Padding::Repeat => {
             copy(n, 0);
             copy(1, last);
         }
-        Pad::Edge => {
+        Padding::Edge => {
             copy(1, 0);
             copy(n, last);
         }
-        Pad::MirrorBorder => copy(1, 0),
-        Pad::Border => {}
+        Padding::MirrorBorder => copy(1, 0),
+        Padding::Border => {}
     }
     let Some(color) = border else { return };
-    if pad == Pad::Border {
+    if pad == Padding::Border {
         texels[..unit].fill(color);
     }
-    if matches!(pad, Pad::Border | Pad::MirrorBorder) {
+    if matches!(pad, Padding::Border | Padding::MirrorBorder) {
         texels[last * unit..].fill(color);
     }
 }

@@ -6,8 +6,8 @@ use super::format::BaseFormat;
 use super::image::{Dimensions, Image, Texels};
 use crate::enums::GLenum;
 use crate::error::{Outcome, invalid_operation};
-use crate::pixels::geometry::Geometry;
-use crate::pixels::{ClientTarget, Kind, PixelFormat, Purpose, Transfer};
+use crate::pixels::layout::ClientLayout;
+use crate::pixels::{ClientTarget, PixelFormat, PixelKind, Purpose, Transfer};
 use crate::state::pixel::PixelStore;
 
 /// How many texels are converted at a time.
@@ -19,8 +19,8 @@ impl Image {
         let pixel = PixelFormat::for_command(format, type_, Purpose::GetTexImage)?;
         let [w, h, d] = self.full_size().map(u32::cast_signed);
         Ok(match self.dimensions {
-            Dimensions::Three => Geometry::of_3d(store, [w, h, d], pixel)?,
-            _ => Geometry::of_2d(store, [w, h], pixel)?,
+            Dimensions::Three => ClientLayout::of_3d(store, [w, h, d], pixel)?,
+            _ => ClientLayout::of_2d(store, [w, h], pixel)?,
         }
         .total)
     }
@@ -28,7 +28,7 @@ impl Image {
     /// GetTexImage: writes the whole image, border included, under the pack state.
     pub fn get_tex_image(&self, store: &PixelStore, format: GLenum, type_: GLenum, out: &mut [u8]) -> Outcome {
         let pixel = PixelFormat::for_command(format, type_, Purpose::GetTexImage)?;
-        match (pixel.kind() == Kind::Depth, self.base == BaseFormat::Depth) {
+        match (pixel.kind() == PixelKind::Depth, self.base == BaseFormat::Depth) {
             (true, false) => return Err(invalid_operation("depths of a colour texture; ask for GL_RGBA or the like")),
             (false, true) => return Err(invalid_operation("colours of a depth texture; ask for GL_DEPTH_COMPONENT")),
             _ => {}

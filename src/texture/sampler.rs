@@ -6,9 +6,9 @@ use super::batch::TexBatch;
 use super::filter::{self, depth, float, linear_rgba8, nearest_rgba8};
 use super::format::{BaseFormat, Storage};
 use super::image::Image;
-use super::lod::Levels;
+use super::lod::RhoRanges;
 use super::object::TextureObject;
-use super::padding::PadKey;
+use super::padding::PaddingKey;
 use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
 use super::wrap::general;
 use super::{anisotropy, cube, lod};
@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 /// What a sampler wants to be given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Needs {
+pub struct SamplerNeeds {
     /// How many of s, t, r it reads.
     pub coordinates: usize,
     /// Whether it reads their derivatives.
@@ -41,32 +41,32 @@ pub struct Sampler {
     /// What they read.
     pub uniforms: UnitUniforms,
     /// What they want.
-    pub needs: Needs,
+    pub needs: SamplerNeeds,
     /// The base format as environments see it: that of the texture, or for a depth texture its DEPTH_TEXTURE_MODE.
     pub base: BaseFormat,
     /// Whether lambda is worked out once a batch where derivatives are the same in all lanes.
     pub once: bool,
-    /// The levels of a filter that may get one level instead of derivatives ([`Detail::Level`](super::batch::Detail)).
-    pub levels: Option<Levels>,
+    /// The levels of a filter that may get one level instead of derivatives ([`Derivatives::OneLevel`](super::batch::Derivatives)).
+    pub rho_ranges: Option<RhoRanges>,
     /// The steps that are run once for each tap of an anisotropic filter: start and end in the plan.
     pub taps: Option<(usize, usize)>,
     /// Whether alpha is not filtered although the format has it: it is 255 in every texel.
     pub opaque: bool,
     /// Whether the filter wraps coordinates itself, as far as those of a primitive ask for it.
     pub wraps: bool,
-    /// Whether the last stage reads the nearest texel of 8-bit images, with how many coordinates, and [`Builder::near`].
+    /// Whether the last stage reads the nearest texel of 8-bit images, with how many coordinates, and [`SamplerBuilder::near`].
     nearest: Option<(usize, Option<u32>)>,
 }
 
 /// Fills the rings of the images that sampling reads, for the wraps and the border colour of the object. To be called
 /// before a draw when the object has changed; costs little when nothing is to be done.
 pub fn prepare(object: &mut TextureObject) -> Outcome {
-    let key = PadKey::new(object.parameters.wrap, object.parameters.border_color);
+    let key = PaddingKey::new(object.parameters.wrap, object.parameters.border_color);
     let (base, last) = level_range(object);
     for face in &mut object.faces {
         for image in face.iter_mut().skip(base).take(last - base + 1).flatten() {
-            if !image.pads_are(&key) {
-                Image::writable(image)?.fill_pads(&key)?;
+            if !image.is_padded_for(&key) {
+                Image::writable(image)?.fill_padding(&key)?;
             }
         }
     }
@@ -85,7 +85,7 @@ pub fn dimensions(target: Target) -> usize {
 
 /// What the limits of lambda leave to be decided fragment by fragment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Lod {
+enum LodCase {
     /// Nothing: every fragment reads the base level, with the filter that this says is LINEAR or not.
     Base { linear: bool },
     /// Every fragment has this lambda, and none is magnified with another filter.
@@ -111,11 +111,11 @@ fn is_anisotropic(p: &TexParameters, u: &UnitUniforms) -> bool {
     u.max_taps > 1.0 && matches!(p.min_filter, GL_LINEAR_MIPMAP_NEAREST | GL_LINEAR_MIPMAP_LINEAR)
 }
 
-impl Lod {
+impl LodCase {
     /// Nothing is known beforehand.
     fn general(p: &TexParameters) -> Self {
         let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
-        Lod::Varies { mixed: mag != min, linear: min }
+        LodCase::Varies { mixed: mag != min, linear: min }
     }
 
     /// Decides from the filters and the limits of lambda: exact conditions only, none that is nearly true.
@@ -123,25 +123,25 @@ impl Lod {
         let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
         if is_anisotropic(p, u) {
             // How many taps there are is decided before lambda is limited, so every fragment needs its footprint.
-            return Lod::Varies { mixed: !mag, linear: true };
+            return LodCase::Varies { mixed: !mag, linear: true };
         }
         let (least, greatest) = (u.min_lod, if u.max_lod > u.min_lod { u.max_lod } else { u.min_lod });
         if greatest <= u.magnify_below {
-            return Lod::Base { linear: mag };
+            return LodCase::Base { linear: mag };
         }
         let mixed = mag != min && least <= u.magnify_below;
         if u.last == 0.0 || !is_mipmap_filter(p.min_filter) {
-            return if mixed { Lod::Varies { mixed, linear: min } } else { Lod::Base { linear: min } };
+            return if mixed { LodCase::Varies { mixed, linear: min } } else { LodCase::Base { linear: min } };
         }
         if !mixed {
             if greatest <= 0.0 || (!blends_levels(p.min_filter) && greatest <= 0.5) {
-                return Lod::Base { linear: min };
+                return LodCase::Base { linear: min };
             }
             if least >= u.last || least == greatest {
-                return Lod::Constant { lambda: least, linear: min };
+                return LodCase::Constant { lambda: least, linear: min };
             }
         }
-        Lod::Varies { mixed, linear: min }
+        LodCase::Varies { mixed, linear: min }
     }
 }
 
@@ -159,18 +159,18 @@ impl Sampler {
         let p = &object.parameters;
         let uniforms = UnitUniforms::new(object, unit_bias, unit);
         let dims = dimensions(object.target);
-        let lod = if general { Lod::general(p) } else { Lod::of(p, &uniforms) };
+        let lod = if general { LodCase::general(p) } else { LodCase::of(p, &uniforms) };
         let image = uniforms.images.first().map(|image| Arc::clone(&image.image));
         let format = image.as_ref().map_or(BaseFormat::Rgba, |image| image.base);
         let depth = format == BaseFormat::Depth;
         let compare = depth && p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
         let cube = object.target == Target::Cube;
-        let derivatives = matches!(lod, Lod::Varies { .. });
+        let derivatives = matches!(lod, LodCase::Varies { .. });
         let base = if depth { depth::base_format(p.depth_mode) } else { format };
 
         let has_alpha = matches!(base, BaseFormat::Rgba | BaseFormat::LuminanceAlpha);
         let opaque = has_alpha && !general && uniforms.images.iter().all(|image| image.image.is_opaque());
-        let mut builder = Builder {
+        let mut builder = SamplerBuilder {
             plan: Plan::new(level),
             wraps: p.wrap,
             dims,
@@ -196,23 +196,23 @@ impl Sampler {
         let one_of_many = is_mipmap_filter(p.min_filter) && !blends_levels(p.min_filter);
         let nearest_level = one_of_many && !is_anisotropic(p, &uniforms) && !general;
         match lod {
-            Lod::Base { linear } => {
+            LodCase::Base { linear } => {
                 if cube {
                     builder.push(&lod::LEVEL_BASE, lod::CUBE);
                 }
                 builder.pass(linear, false, 0);
             }
-            Lod::Constant { lambda, linear } => {
+            LodCase::Constant { lambda, linear } => {
                 builder.push(&lod::LAMBDA_CONSTANT, lambda.to_bits());
                 builder.levels(p.min_filter, linear, false);
             }
-            Lod::Varies { mixed: false, linear } if nearest_level => {
-                builder.push(lod::nearest_level_stage(dims), builder.detail());
+            LodCase::Varies { mixed: false, linear } if nearest_level => {
+                builder.push(lod::nearest_level_stage(dims), builder.lod_arg());
                 builder.pass(linear, false, 0);
             }
-            Lod::Varies { mixed, linear } => {
+            LodCase::Varies { mixed, linear } => {
                 let anisotropic = is_anisotropic(p, &uniforms);
-                let detail = builder.detail();
+                let detail = builder.lod_arg();
                 match anisotropic {
                     true => builder.push(anisotropy::footprint_stage(dims), 0),
                     false => builder.push(lod::lambda_stage(dims), detail),
@@ -237,7 +237,7 @@ impl Sampler {
             }
         }
         let size = uniforms.size;
-        let needs = Needs {
+        let needs = SamplerNeeds {
             coordinates: if cube || compare { 3 } else { dims },
             derivatives,
             cube,
@@ -249,16 +249,16 @@ impl Sampler {
             }),
         };
         let one_level = match lod {
-            Lod::Base { linear } => !linear,
-            Lod::Constant { linear, .. } => !linear && !blends_levels(p.min_filter),
-            Lod::Varies { mixed, linear } => !linear && !mixed && !blends_levels(p.min_filter),
+            LodCase::Base { linear } => !linear,
+            LodCase::Constant { linear, .. } => !linear && !blends_levels(p.min_filter),
+            LodCase::Varies { mixed, linear } => !linear && !mixed && !blends_levels(p.min_filter),
         };
         let nearest = (one_level && builder.storage == Some(Storage::Rgba8)).then(|| (dims, builder.near()));
-        let once = derivatives && builder.detail() & lod::ONCE != 0;
-        let certain = once && is_mipmap_filter(p.min_filter) && !matches!(lod, Lod::Varies { mixed: true, .. });
-        let levels = certain.then(|| Levels::new(&uniforms, dims, blends_levels(p.min_filter)));
+        let once = derivatives && builder.lod_arg() & lod::ONCE != 0;
+        let certain = once && is_mipmap_filter(p.min_filter) && !matches!(lod, LodCase::Varies { mixed: true, .. });
+        let rho_ranges = certain.then(|| RhoRanges::new(&uniforms, dims, blends_levels(p.min_filter)));
         let wraps = builder.wraps_itself;
-        Self { plan: builder.plan, uniforms, needs, base, once, levels, taps, opaque, wraps, nearest }
+        Self { plan: builder.plan, uniforms, needs, base, once, rho_ranges, taps, opaque, wraps, nearest }
     }
 
     /// Makes the sampler write packed texels (`packed` of the batch) and nothing else, if each of its texels is one 8-bit
@@ -275,16 +275,16 @@ impl Sampler {
 
     /// Samples all lanes of a batch: reads coordinates and derivatives, writes the texel of the unit.
     pub fn run(&self, batch: &mut TexBatch) {
-        batch.work.same = [Some(0); 2];
-        batch.work.two_levels = false;
+        batch.scratch.same = [Some(0); 2];
+        batch.scratch.two_levels = false;
         let steps = &self.plan.steps;
         let Some((start, end)) = self.taps else { return self.run_steps(batch, steps) };
         let (before, rest) = steps.split_at(start.min(steps.len()));
         let (each, after) = rest.split_at((end.saturating_sub(start)).min(rest.len()));
-        batch.work.taps = 1;
+        batch.scratch.taps = 1;
         self.run_steps(batch, before);
-        for tap in 1..=batch.work.taps {
-            batch.work.tap = tap;
+        for tap in 1..=batch.scratch.taps {
+            batch.scratch.tap = tap;
             self.run_steps(batch, each);
         }
         self.run_steps(batch, after);
@@ -301,7 +301,7 @@ impl Sampler {
 }
 
 /// A plan being built.
-struct Builder {
+struct SamplerBuilder {
     plan: Plan<TexFn>,
     wraps: [GLenum; 3],
     dims: usize,
@@ -321,7 +321,7 @@ struct Builder {
     general: bool,
 }
 
-impl Builder {
+impl SamplerBuilder {
     fn push(&mut self, stage: &'static Stage<TexFn>, arg: u32) {
         self.plan.push(stage, arg);
     }
@@ -381,11 +381,11 @@ impl Builder {
 
     fn level(&mut self, filter: GLenum) {
         let stage = if blends_levels(filter) { &lod::LEVEL_LINEAR } else { &lod::LEVEL_NEAREST };
-        self.push(stage, self.detail());
+        self.push(stage, self.lod_arg());
     }
 
     /// The argument of the stages of lambda and levels.
-    fn detail(&self) -> u32 {
+    fn lod_arg(&self) -> u32 {
         match (self.cube, self.general || self.anisotropic) {
             (true, _) => lod::CUBE,
             (false, true) => 0,

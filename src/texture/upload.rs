@@ -7,7 +7,7 @@ use super::image::{Dimensions, Image, Texels};
 use super::s3tc::Fit;
 use crate::error::{Outcome, invalid_operation, invalid_value};
 use crate::pixels::element::{from_rgba8, to_rgba8};
-use crate::pixels::{ClientImage, Kind, PixelFormat, Transfer};
+use crate::pixels::{ClientImage, PixelFormat, PixelKind, Transfer};
 
 /// How many texels are converted at a time.
 const CHUNK: usize = 64;
@@ -17,7 +17,7 @@ const OPAQUE: u32 = 0xFF00_0000;
 /// INVALID_OPERATION unless pixels of this format can become texels of this format: depths go to depth textures and
 /// nothing else does.
 pub fn check_formats(pixel: PixelFormat, internal: &InternalFormat) -> Outcome {
-    match (pixel.kind() == Kind::Depth, internal.base == BaseFormat::Depth) {
+    match (pixel.kind() == PixelKind::Depth, internal.base == BaseFormat::Depth) {
         (true, false) => Err(invalid_operation(
             "depth pixels for a colour texture; give it an internal format such as GL_DEPTH_COMPONENT24",
         )),

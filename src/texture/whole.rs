@@ -32,9 +32,9 @@ impl Filtered {
 
 impl Sampler {
     /// The images and their wraps, if the sampler does nothing but this stage: on the base level, or where it has
-    /// [`Sampler::levels`] on the one that is known to be the only one.
+    /// [`Sampler::rho_ranges`] on the one that is known to be the only one.
     fn only<const K: usize>(&self, stage: &Stage<TexFn>, flags: u32) -> Option<WrappedImage<K>> {
-        let step = match (self.plan.steps.as_slice(), &self.levels) {
+        let step = match (self.plan.steps.as_slice(), &self.rho_ranges) {
             ([step], None) => step,
             ([level, step], Some(_)) if level.is(lod::nearest_level_stage(K)) => step,
             // Where one level is all that is read, the second pass and the mix do nothing but bring it to 0..1.
@@ -52,14 +52,14 @@ impl Sampler {
     }
 
     /// The images and their wraps, if the sampler does nothing but give its nearest texels, packed, by a wrap that
-    /// [`Near`](super::wrap::bounded::Near) knows.
+    /// [`NearestWrap`](super::wrap::bounded::NearestWrap) knows.
     #[must_use]
     pub fn copies(&self) -> Option<WrappedImage<2>> {
         self.only(&nearest_rgba8::WRAP_NEAREST_2D_PACKED, 0)
     }
 
     /// The images and their wraps, if the sampler does nothing but filter one of them linearly, by wraps that
-    /// [`Form`](super::wrap::bounded::Form) knows.
+    /// [`LinearWrap`](super::wrap::bounded::LinearWrap) knows.
     #[must_use]
     pub fn filters(&self) -> Option<Filtered> {
         if let Some(image) = self.only(&linear_rgba8::BILINEAR_2D_RGB, linear_rgba8::WRAPS) {

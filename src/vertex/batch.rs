@@ -6,10 +6,9 @@ use super::cull::Triangles;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
 use crate::raster::vertex::Place;
 use crate::simd::LANES;
+pub use crate::simd::Lanes;
 use crate::state::current::Current;
 
-/// One f32 for each lane.
-pub type Lanes = [f32; LANES];
 /// One f64 for each lane.
 pub type Wide = [f64; LANES];
 

@@ -4,7 +4,7 @@
 use fixedgl::Context;
 use fixedgl::DebugMessage;
 use fixedgl::c::*;
-use fixedgl::glu::{self, Levels};
+use fixedgl::glu::{self, MipmapLevels};
 use std::sync::{Arc, Mutex};
 
 fn context() -> Context {
@@ -196,10 +196,10 @@ fn some_levels_only() {
         glu::build_2d_mipmap_levels(&mut cx, GL_TEXTURE_2D, 1, size[0], size[1], format, kind, levels, &row)
     };
     let bad = GLU_INVALID_VALUE as i32;
-    assert_eq!(build(Levels { level: 0, base: 0, max: 4 }, [8, 1]), bad);
-    assert_eq!(build(Levels { level: 1, base: 0, max: 2 }, [8, 1]), bad);
-    assert_eq!(build(Levels { level: 0, base: 0, max: 1 }, [6, 1]), bad);
-    assert_eq!(build(Levels { level: 1, base: 2, max: 3 }, [8, 1]), 0);
+    assert_eq!(build(MipmapLevels { level: 0, base: 0, max: 4 }, [8, 1]), bad);
+    assert_eq!(build(MipmapLevels { level: 1, base: 0, max: 2 }, [8, 1]), bad);
+    assert_eq!(build(MipmapLevels { level: 0, base: 0, max: 1 }, [6, 1]), bad);
+    assert_eq!(build(MipmapLevels { level: 1, base: 2, max: 3 }, [8, 1]), 0);
     let widths: Vec<i32> = (0..5).map(|n| level_size(&mut cx, GL_TEXTURE_2D, n)[0]).collect();
     assert_eq!(widths, [0, 0, 4, 2, 0]);
     assert_eq!(level(&mut cx, GL_TEXTURE_2D, 2)[..5], [50, 0, 0, 255, 228]);

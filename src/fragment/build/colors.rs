@@ -11,7 +11,7 @@ use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::simd::Stage;
 use crate::texture::env::combine;
-use crate::texture::env::combine::Source;
+use crate::texture::env::combine::ColorSource;
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
 
@@ -81,8 +81,8 @@ impl Builder<'_> {
             let form = combine(&state.env, *base, unit, |t| bases.get(t).is_some_and(Option::is_some));
             let reads = [form.rgb, form.alpha].iter().any(|half| {
                 half.args.iter().take(half.function.arity()).any(|a| match a.source {
-                    Source::Primary => true,
-                    Source::Previous => first,
+                    ColorSource::Primary => true,
+                    ColorSource::Previous => first,
                     _ => false,
                 })
             });

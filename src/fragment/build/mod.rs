@@ -23,7 +23,7 @@ use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::simd::{Level, Stage, Step};
 use crate::state::State;
-use crate::texture::lod::Levels;
+use crate::texture::lod::RhoRanges;
 use crate::texture::object::TextureObject;
 use crate::texture::whole::Filtered;
 use std::fmt::{self, Display};
@@ -407,7 +407,7 @@ impl Builder<'_> {
         let depth = tests.depth.map_or(0, |func| long::DEPTH | (func as u32) << 1 | writes);
         self.program.fill = Some(stage.step(self.level, depth | flags));
         // Where levels are blended, they are so up to the end of a run, as a rule.
-        let nearest = |levels: &Option<Levels>| levels.as_ref().is_some_and(|levels| !levels.blends);
+        let nearest = |levels: &Option<RhoRanges>| levels.as_ref().is_some_and(|levels| !levels.blends);
         self.program.levelled = !self.program.untextured && self.program.uniforms.levels.iter().any(nearest);
         self.decide("long runs", Fate::Hoisted, reason);
     }

@@ -11,7 +11,7 @@ use crate::fragment::span::sampled::Shown;
 use crate::fragment::span::two_units::Last;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::texture::Env;
-use crate::texture::env::combine::{Function, Half, Operand, Source};
+use crate::texture::env::combine::{ColorSource, CombineHalf, Function, Operand};
 use crate::texture::env::{EnvPlan, combine};
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
@@ -35,18 +35,18 @@ enum Leaves {
 
 /// What a half of an environment does, if it is one of the steps that can round at once. `operands` are those that read
 /// the half's own channels.
-fn step(half: &Half, unit: usize, operands: &[Operand]) -> Option<env_pack::Step> {
+fn step(half: &CombineHalf, unit: usize, operands: &[Operand]) -> Option<env_pack::Step> {
     let args = half.args.get(..half.function.arity())?;
     if half.scale != 1.0 || !args.iter().all(|a| operands.contains(&a.operand)) {
         return None;
     }
-    let texel = Source::Texture(unit);
+    let texel = ColorSource::Texture(unit);
     match (half.function, args) {
         (Function::Replace, [a]) if a.source == texel => Some(env_pack::Step::Texel),
-        (Function::Replace, [a]) if a.source == Source::Previous => Some(env_pack::Step::Stays),
+        (Function::Replace, [a]) if a.source == ColorSource::Previous => Some(env_pack::Step::Stays),
         (Function::Modulate, [a, b])
-            if [a.source, b.source] == [texel, Source::Previous]
-                || [a.source, b.source] == [Source::Previous, texel] =>
+            if [a.source, b.source] == [texel, ColorSource::Previous]
+                || [a.source, b.source] == [ColorSource::Previous, texel] =>
         {
             Some(env_pack::Step::Product)
         }
@@ -138,7 +138,7 @@ impl Builder<'_> {
         };
         // Alpha of the last one is 1 everywhere.
         let multiplies = color == env_pack::Step::Product && alpha != env_pack::Step::Texel;
-        if !multiplies || number & env_pack::TESTED != 0 || last.1.levels.is_some() {
+        if !multiplies || number & env_pack::TESTED != 0 || last.1.rho_ranges.is_some() {
             return;
         }
         if let (Some(image @ Filtered::Rgb(_)), Some(Filtered::Rgb(other))) = (first.1.filters(), last.1.filters()) {
@@ -164,8 +164,8 @@ impl Builder<'_> {
                 [form.rgb, form.alpha].iter().flat_map(|half| half.args.into_iter().take(half.function.arity()))
             {
                 match argument.source {
-                    Source::Texture(t) => textures |= 1u32.checked_shl(t as u32).unwrap_or(0),
-                    Source::Previous => color_taken = true,
+                    ColorSource::Texture(t) => textures |= 1u32.checked_shl(t as u32).unwrap_or(0),
+                    ColorSource::Previous => color_taken = true,
                     _ => {}
                 }
             }
@@ -202,7 +202,7 @@ impl Builder<'_> {
             let reason = "once a batch where w is constant over its primitive: derivatives are then constants";
             self.decide(format_args!("unit {unit} level of detail"), Fate::Hoisted, reason);
         }
-        if let Some(levels) = &sampler.levels
+        if let Some(levels) = &sampler.rho_ranges
             && let Some(place) = self.program.uniforms.levels.get_mut(unit)
         {
             *place = Some(levels.clone());

@@ -8,7 +8,7 @@ use crate::num::clamp01;
 use crate::simd::{LANES, stage};
 
 stage! {
-    /// MipRange the pixels.
+    /// Reads the pixels.
     pub(crate) fn LOAD_FLOAT: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let mut pixels = [[0.0; 4]; LANES];
         load(places!(b), w.band.float, &mut pixels);

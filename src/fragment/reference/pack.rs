@@ -256,7 +256,7 @@ stage! {
         }
     }
 
-    /// MipRange the pixels.
+    /// Reads the pixels.
     pub(crate) fn LOAD: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         load(places!(b), w.band.rgba8, &mut b.packed_dst);
     }

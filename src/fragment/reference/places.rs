@@ -44,7 +44,7 @@ fn run_start(segment: &Segment, piece: Piece) -> Option<usize> {
     (segment.offset as usize + piece.base).checked_sub(segment.start as usize)
 }
 
-/// MipRange the lanes' pixels; pixels outside the band read as the default.
+/// Reads the lanes' pixels; pixels outside the band read as the default.
 #[inline(always)]
 pub(crate) fn load<T: Lane>(places: Places<'_>, from: &[T], to: &mut [T; LANES]) {
     if let Some(run) = one_row(places.segments).and_then(|at| from.get(at..)).and_then(|r| r.first_chunk()) {

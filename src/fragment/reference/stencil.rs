@@ -71,7 +71,7 @@ fn apply(op: StencilOp, reference: u32, mask: &[u32; LANES], s: &mut [u32; LANES
 }
 
 stage! {
-    /// MipRange the stencil buffer and kills the fragments that fail.
+    /// Reads the stencil buffer and kills the fragments that fail.
     pub(crate) fn STENCIL_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let mut bytes = [0; LANES];
         load(places!(b), w.band.stencil, &mut bytes);

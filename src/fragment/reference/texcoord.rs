@@ -19,7 +19,7 @@ use crate::fragment::reference::texcoord_f64::{wide_lanes, wide_piece};
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::{clamp_f32, max_f32};
 use crate::simd::{LANES, stage};
-use crate::texture::batch::{Detail, Lanes};
+use crate::texture::batch::{Derivatives, Lanes};
 
 /// Bits of the number of [`COORDINATES`]: [`FIRST`], this one for derivatives, the unit from bit 2 on, then [`ALONE`].
 pub(crate) const DERIVATIVES: u32 = 2;
@@ -125,7 +125,7 @@ fn lanes<const K: usize>(
     let (d_x, d_y) = (unit.divisor.x as f32, unit.divisor.y as f32);
     let even = is_even(unit);
     if even {
-        b.tex.detail = Detail::Even;
+        b.tex.derivatives = Derivatives::Uniform;
     }
     let rq = if one && !first.computes { [1.0; LANES] } else { divisors(&mut b.rw, unit, places, first) };
     for k in 0..K {
@@ -292,7 +292,7 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, u: &FragUniforms, w: &Work
     if arg & AGAIN == 0 {
         b.has_rw64 = false;
     }
-    b.tex.detail = Detail::Lanes;
+    b.tex.derivatives = Derivatives::PerLane;
     let segments = b.segments.get(..b.segment_count).unwrap_or(&[]);
     if let Some(segment) = one_primitive(segments)
         && let Some(unit) = unit::<K>(w, &segment, slots, index)
@@ -303,9 +303,9 @@ fn coordinates<const K: usize>(b: &mut FragmentBatch, u: &FragUniforms, w: &Work
                 && !is_even(&unit)
             {
                 let (x, y) = row_origin(&segment, unit.planes);
-                b.tex.detail =
+                b.tex.derivatives =
                     lod_bounds::of_row(&mut b.lookahead, index as usize, &b.tex, &unit, (x, y, segment.len), levels);
-                derivatives &= b.tex.detail == Detail::Lanes;
+                derivatives &= b.tex.derivatives == Derivatives::PerLane;
             }
             whole(b, &unit, &Row::new(&segment, unit.planes), slots, first, derivatives);
         } else {

@@ -9,8 +9,8 @@ use crate::fragment::reference::lanes::{CHUNK, Chunk, Piece, Positions, linear64
 use crate::fragment::reference::texcoord::{First, Unit, all_finite, divisors, finite, is_even};
 use crate::num::{max_f32, round_f64};
 use crate::simd::LANES;
-use crate::texture::batch::{Detail, Lanes, TexBatch};
-use crate::texture::wrap::bounded::Range;
+use crate::texture::batch::{Derivatives, Lanes, TexBatch};
+use crate::texture::wrap::bounded::CoordBounds;
 
 /// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
 #[inline(always)]
@@ -21,9 +21,13 @@ pub(crate) fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
 /// Between which numbers coordinates are without whole periods that were not farther from 0 than `greatest`: half a period is
 /// left of numbers that have a fraction, all of which is exact.
 #[inline(always)]
-pub(crate) fn rest(greatest: f32, period: f32) -> Range {
+pub(crate) fn rest(greatest: f32, period: f32) -> CoordBounds {
     let half = 0.5 * period;
-    if greatest < 1e9 { Range { least: -half, limit: half } } else { Range { least: -greatest, limit: greatest } }
+    if greatest < 1e9 {
+        CoordBounds { least: -half, limit: half }
+    } else {
+        CoordBounds { least: -greatest, limit: greatest }
+    }
 }
 
 /// Lanes of one primitive that fill the batch, in `f64`: [`wide_piece`] for all lanes at once.
@@ -42,7 +46,7 @@ pub(crate) fn wide_lanes<const K: usize>(
     let even = is_even(unit);
     let mut rq = [1.0; LANES];
     if even {
-        b.tex.detail = Detail::Even;
+        b.tex.derivatives = Derivatives::Uniform;
     } else if b.has_rw64 && !unit.has_q {
         rq = b.rw64;
     } else {
@@ -74,7 +78,7 @@ pub(crate) fn wide_lanes<const K: usize>(
         (limit[k], least[k]) = match slots.period[k] {
             0 => (greatest, p.min),
             _ => {
-                let Range { least, limit } = rest(greatest, f32::from(slots.period[k]));
+                let CoordBounds { least, limit } = rest(greatest, f32::from(slots.period[k]));
                 (limit, least)
             }
         };

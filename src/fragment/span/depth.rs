@@ -97,7 +97,7 @@ pub(crate) fn hiz_cull(band: &Band<'_>, run: &Segment, slope: &Slope, x: i32, fu
     let least = slope.least(x, x.wrapping_add(run.len.wrapping_sub(1).cast_signed()));
     let end = start.saturating_add(run.len as usize);
     let mut at = start;
-    for limit in band.coarse.row(band.memory_row(run.y)).iter().skip(start / BLOCK) {
+    for limit in band.hier_z.row(band.memory_row(run.y)).iter().skip(start / BLOCK) {
         if at >= end || !fails(func, least, *limit) {
             break;
         }
@@ -124,7 +124,7 @@ pub(crate) fn hiz_update(band: &mut Band<'_>, run: &Segment, len: usize) {
                 limit = limit.max(*depth);
             }
         }
-        band.coarse.set(row, block, limit);
+        band.hier_z.set(row, block, limit);
     }
 }
 

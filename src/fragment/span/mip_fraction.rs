@@ -7,7 +7,7 @@ use crate::fragment::lod_bounds::{Axis, MipWeight};
 use crate::fragment::plane_eval::{Place, Projection};
 use crate::fragment::reference::texcoord::Unit;
 use crate::num::{log2_f32, max_f32};
-use crate::texture::lod::Levels;
+use crate::texture::lod::RhoRanges;
 
 /// The derivatives along an axis of the window of the numerators of K coordinates, and of D.
 #[derive(Clone, Copy)]
@@ -41,7 +41,7 @@ fn add(k: usize, texels: f32, rho2: &mut f32) {
 }
 
 /// The square of rho of a unit whose derivatives are the same everywhere, as fragments compute it.
-pub(crate) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> f32 {
+pub(crate) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &RhoRanges) -> f32 {
     let (mut x, mut y) = (0.0, 0.0);
     for k in 0..K {
         let (plane, scale) = (&unit.coords[k], levels.scale[k] as f32);
@@ -54,7 +54,7 @@ pub(crate) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &Levels) -> 
 impl<const K: usize> Mixing<K> {
     /// For a part of a run that reads `level` and such a share of the next one.
     #[inline(always)]
-    pub(crate) fn new(unit: &Unit<'_, K>, levels: &Levels, level: u32, share: MipWeight) -> Option<Self> {
+    pub(crate) fn new(unit: &Unit<'_, K>, levels: &RhoRanges, level: u32, share: MipWeight) -> Option<Self> {
         let (mut x, mut y) = (Slope { n: [0.0; K], d: unit.divisor.x }, Slope { n: [0.0; K], d: unit.divisor.y });
         let mut scale = [0.0; K];
         for k in 0..K {

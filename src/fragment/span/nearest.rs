@@ -11,7 +11,7 @@ use crate::fragment::span::long::{Part, Parts, SpanShader};
 use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::{self, neighbours};
 use crate::texture::uniforms::WrappedImage;
-use crate::texture::wrap::bounded::Near;
+use crate::texture::wrap::bounded::NearestWrap;
 
 /// The images that a program copies texels from, and the unit whose coordinates say which.
 #[derive(Clone, Debug)]
@@ -27,8 +27,8 @@ pub(crate) struct Texels<'a> {
     form: Projection<2>,
     /// D, if coordinates are divided by it in `f32`.
     d: Option<Divisor<f32>>,
-    column: Near,
-    row: Near,
+    column: NearestWrap,
+    row: NearestWrap,
     repeats: [bool; 2],
     origin: u32,
     stride: u32,
@@ -57,7 +57,7 @@ impl<'a> Texels<'a> {
     #[inline(always)]
     fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, extent: Extent, or: u32) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
-        let wrap = |k: usize| Near::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
+        let wrap = |k: usize| NearestWrap::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
         let (column, row) = (wrap(0)?, wrap(1)?);
         let (origin, stride, texels) = (level.origin, level.stride, filter::texels(level));
         let form = Projection::new(unit, extent);

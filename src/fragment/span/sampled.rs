@@ -15,7 +15,7 @@ use crate::fragment::reference::texcoord::Unit;
 use crate::fragment::span::long::{Part, Parts, SpanShader};
 use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
-use crate::texture::filter::linear_rgba8::{self, CHUNK, Indices, Pairs, RGB};
+use crate::texture::filter::linear_rgba8::{self, CHUNK, RGB, TexelIndices, TexelPairs};
 use crate::texture::uniforms::{MipLevel, WrappedImage};
 use crate::texture::whole::Filtered;
 use crate::texture::wrap::bounded;
@@ -59,7 +59,7 @@ pub(crate) struct Environment {
 
 /// An image that is filtered along a row.
 pub(crate) struct Level<'a, const K: usize> {
-    wraps: [bounded::Form; K],
+    wraps: [bounded::LinearWrap; K],
     level: &'a MipLevel,
 }
 
@@ -68,10 +68,10 @@ impl<'a, const K: usize> Level<'a, K> {
     #[inline(always)]
     pub(crate) fn new(image: &'a WrappedImage<K>, level: u32, unit: &Unit<'_, K>) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
-        let mut wraps = [bounded::Form::Limited; K];
+        let mut wraps = [bounded::LinearWrap::Limited; K];
         for k in 0..K {
             let n = level.size[k];
-            wraps[k] = bounded::Form::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
+            wraps[k] = bounded::LinearWrap::new(repeats[k], range(unit, &repeats, k)?, n, n)?;
         }
         Some(Self { wraps, level })
     }
@@ -84,7 +84,7 @@ impl<'a, const K: usize> Level<'a, K> {
         k: f32,
         texels: &mut [[f32; N]; 4],
     ) {
-        let (steps, mut at) = ([1, self.level.stride, self.level.slice], Indices([self.level.origin; N]));
+        let (steps, mut at) = ([1, self.level.stride, self.level.slice], TexelIndices([self.level.origin; N]));
         let mut weights = [[0.0; N]; 3];
         for c in 0..K {
             let (n, step) = (self.level.size[c], steps[c]);
@@ -92,7 +92,7 @@ impl<'a, const K: usize> Level<'a, K> {
                 at.0[i] = at.0[i].wrapping_add(index.cast_unsigned().wrapping_mul(step));
             });
         }
-        let mut rows = [Pairs::<N>::NONE; ROWS];
+        let mut rows = [TexelPairs::<N>::NONE; ROWS];
         linear_rgba8::fetch_at(&mut rows, self.level, &at.0);
         for start in (0..N).step_by(CHUNK) {
             let [s, t, r] = &weights;

@@ -211,7 +211,7 @@ fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_
     }
 }
 
-/// MipRange a depth of each cache line that rows will read. Processors foresee what comes next in a row, but not where the next
+/// Reads a depth of each cache line that rows will read. Processors foresee what comes next in a row, but not where the next
 /// one begins: so that is not waited for row by row, but for all rows at once.
 #[inline(always)]
 fn touch(rows: &[Segment], depth: &[u32]) {

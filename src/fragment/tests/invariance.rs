@@ -246,7 +246,7 @@ fn coarse_depths_change_no_bit() {
             let max = f64::from(format.depth_max());
             for (y, depths) in got.1.chunks(200).enumerate() {
                 let band = frames[1].band();
-                for (limit, depths) in band.coarse.row(y).iter().zip(depths.chunks(64)) {
+                for (limit, depths) in band.hier_z.row(y).iter().zip(depths.chunks(64)) {
                     let greatest = depths.iter().map(|d| (f64::from_bits(*d) * max).round() as u32).max().unwrap();
                     assert!(*limit >= greatest, "case {case} primitive {prim} row {y}: {limit} < {greatest}");
                     lowered += usize::from(*limit < format.depth_max());

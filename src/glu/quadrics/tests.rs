@@ -13,7 +13,7 @@ struct Recorder {
     normals: usize,
 }
 
-impl Sink for Recorder {
+impl PrimitiveSink for Recorder {
     fn begin(&mut self, mode: GLenum) {
         self.primitives.push((mode, Vec::new()));
     }

@@ -23,7 +23,7 @@ pub struct EnvUniforms {
 
 /// What an argument reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum ColorSource {
     /// The texel of a unit.
     Texture(usize),
     /// The environment colour of a unit.
@@ -51,7 +51,7 @@ pub enum Operand {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Argument {
     /// What is read.
-    pub source: Source,
+    pub source: ColorSource,
     /// How.
     pub operand: Operand,
 }
@@ -91,7 +91,7 @@ impl Function {
 
 /// The colour or the alpha half of an environment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Half {
+pub struct CombineHalf {
     /// The function.
     pub function: Function,
     /// Its arguments; those beyond its arity mean nothing.
@@ -104,9 +104,9 @@ pub struct Half {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Combine {
     /// R, G and B.
-    pub rgb: Half,
+    pub rgb: CombineHalf,
     /// Alpha.
-    pub alpha: Half,
+    pub alpha: CombineHalf,
 }
 
 /// The channels of the colour half, as bits.
@@ -120,13 +120,13 @@ const CHANNELS: u32 = 15;
 /// Argument of the stages that read one source in place: channels, the source in bits 4 to 8 and, where they also read
 /// the colour so far, whether that is the primary colour in bit 9.
 #[must_use]
-pub fn direct(channels: u32, source: Source, from_primary: bool) -> u32 {
+pub fn direct(channels: u32, source: ColorSource, from_primary: bool) -> u32 {
     channels | source_code(source) << 4 | u32::from(from_primary) << 9
 }
 
 /// Argument of [`ENV_INTERPOLATE`]: as [`direct`], and where the weight comes from in bits 10 to 14, its alpha if bit 15.
 #[must_use]
-pub fn weighted(channels: u32, source: Source, weight: Source, of_alpha: bool, from_primary: bool) -> u32 {
+pub fn weighted(channels: u32, source: ColorSource, weight: ColorSource, of_alpha: bool, from_primary: bool) -> u32 {
     direct(channels, source, from_primary) | source_code(weight) << 10 | u32::from(of_alpha) << 15
 }
 
@@ -143,12 +143,12 @@ pub fn function(channels: u32, rgb_scale: f32, alpha_scale: f32) -> u32 {
     channels | power(rgb_scale) << 4 | power(alpha_scale) << 6
 }
 
-fn source_code(source: Source) -> u32 {
+fn source_code(source: ColorSource) -> u32 {
     match source {
-        Source::Texture(unit) => unit as u32 & 7,
-        Source::Constant(unit) => 8 | (unit as u32 & 7),
-        Source::Primary => 16,
-        Source::Previous => 17,
+        ColorSource::Texture(unit) => unit as u32 & 7,
+        ColorSource::Constant(unit) => 8 | (unit as u32 & 7),
+        ColorSource::Primary => 16,
+        ColorSource::Previous => 17,
     }
 }
 

@@ -12,8 +12,8 @@ use crate::simd::{Level, Plan, Stage};
 use crate::state::texture::Env;
 use combine::{
     ALPHA, Argument, COMBINE_ADD, COMBINE_ADD_SIGNED, COMBINE_DOT3, COMBINE_INTERPOLATE, COMBINE_MODULATE,
-    COMBINE_REPLACE, COMBINE_SUBTRACT, Combine, ENV_ADD, ENV_ARGUMENT, ENV_INTERPOLATE, ENV_MODULATE, ENV_REPLACE,
-    EnvFn, EnvUniforms, Function, Half, Operand, RGB, Source, argument, direct, function, weighted,
+    COMBINE_REPLACE, COMBINE_SUBTRACT, ColorSource, Combine, CombineHalf, ENV_ADD, ENV_ARGUMENT, ENV_INTERPOLATE,
+    ENV_MODULATE, ENV_REPLACE, EnvFn, EnvUniforms, Function, Operand, RGB, argument, direct, function, weighted,
 };
 
 /// The environments of all units as a plan.
@@ -25,35 +25,35 @@ pub struct EnvPlan {
     pub uniforms: EnvUniforms,
 }
 
-const fn arg(source: Source, operand: Operand) -> Argument {
+const fn arg(source: ColorSource, operand: Operand) -> Argument {
     Argument { source, operand }
 }
 
-const PREVIOUS: Argument = arg(Source::Previous, Operand::Color);
+const PREVIOUS: Argument = arg(ColorSource::Previous, Operand::Color);
 
-const fn half(function: Function, args: [Argument; 3]) -> Half {
-    Half { function, args, scale: 1.0 }
+const fn half(function: Function, args: [Argument; 3]) -> CombineHalf {
+    CombineHalf { function, args, scale: 1.0 }
 }
 
 /// The half that leaves the colour as it comes.
-const KEEP: Half = half(Function::Replace, [PREVIOUS; 3]);
+const KEEP: CombineHalf = half(Function::Replace, [PREVIOUS; 3]);
 
 /// An environment with a texture of this base format, in COMBINE form, for this unit. `enabled` says which units have a
 /// texture: a COMBINE that reads the texture of another unit which has none leaves the colour as it comes.
 #[must_use]
 pub fn combine(env: &Env, base: BaseFormat, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
     use BaseFormat::{Alpha, Intensity, LuminanceAlpha, Rgb, Rgba};
-    let texture = arg(Source::Texture(unit), Operand::Color);
-    let constant = arg(Source::Constant(unit), Operand::Color);
+    let texture = arg(ColorSource::Texture(unit), Operand::Color);
+    let constant = arg(ColorSource::Constant(unit), Operand::Color);
     let replace = half(Function::Replace, [texture; 3]);
     let modulate = half(Function::Modulate, [texture, PREVIOUS, PREVIOUS]);
     let add = half(Function::Add, [texture, PREVIOUS, PREVIOUS]);
     let blend = half(Function::Interpolate, [constant, PREVIOUS, texture]);
-    let decal = half(Function::Interpolate, [texture, PREVIOUS, arg(Source::Texture(unit), Operand::Alpha)]);
+    let decal = half(Function::Interpolate, [texture, PREVIOUS, arg(ColorSource::Texture(unit), Operand::Alpha)]);
     let has_color = base != Alpha;
     let has_alpha = matches!(base, Alpha | LuminanceAlpha | Intensity | Rgba);
-    let color = |f: Half| if has_color { f } else { KEEP };
-    let alpha = |f: Half| if has_alpha { f } else { KEEP };
+    let color = |f: CombineHalf| if has_color { f } else { KEEP };
+    let alpha = |f: CombineHalf| if has_alpha { f } else { KEEP };
     let (rgb, alpha) = match env.mode {
         GL_REPLACE => (color(replace), alpha(replace)),
         GL_DECAL => match base {
@@ -73,11 +73,11 @@ pub fn combine(env: &Env, base: BaseFormat, unit: usize, enabled: impl Fn(usize)
 /// COMBINE itself: its names turned into [`Combine`].
 fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
     let source = |name: GLenum| match name {
-        GL_TEXTURE => Source::Texture(unit),
-        GL_CONSTANT => Source::Constant(unit),
-        GL_PRIMARY_COLOR => Source::Primary,
-        GL_TEXTURE0..=GL_TEXTURE31 => Source::Texture((name - GL_TEXTURE0) as usize),
-        _ => Source::Previous,
+        GL_TEXTURE => ColorSource::Texture(unit),
+        GL_CONSTANT => ColorSource::Constant(unit),
+        GL_PRIMARY_COLOR => ColorSource::Primary,
+        GL_TEXTURE0..=GL_TEXTURE31 => ColorSource::Texture((name - GL_TEXTURE0) as usize),
+        _ => ColorSource::Previous,
     };
     let operand = |name: GLenum| match name {
         GL_ONE_MINUS_SRC_COLOR => Operand::OneMinusColor,
@@ -95,7 +95,7 @@ fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
         GL_DOT3_RGBA | GL_DOT3_RGBA_EXT => Function::Dot3Rgba,
         _ => Function::Replace,
     };
-    let half = |k: usize| Half {
+    let half = |k: usize| CombineHalf {
         function: function(env.combine[k]),
         args: std::array::from_fn(|i| arg(source(env.source[i][k]), operand(env.operand[i][k]))),
         scale: env.scale[k],
@@ -117,7 +117,7 @@ fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
     }
     let alpha_used = if rgb.function == Function::Dot3Rgba { 0 } else { alpha.function.arity() };
     let mut read = rgb.args[..rgb.function.arity()].iter().chain(&alpha.args[..alpha_used]);
-    if read.any(|a| matches!(a.source, Source::Texture(t) if t != unit && !enabled(t))) {
+    if read.any(|a| matches!(a.source, ColorSource::Texture(t) if t != unit && !enabled(t))) {
         return Combine { rgb: KEEP, alpha: KEEP };
     }
     Combine { rgb, alpha }
@@ -127,9 +127,9 @@ fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
 #[derive(Clone, Copy)]
 struct Direct {
     stage: &'static Stage<EnvFn>,
-    source: Source,
+    source: ColorSource,
     /// INTERPOLATE: where the weight comes from, and whether it is an alpha.
-    weight: Option<(Source, bool)>,
+    weight: Option<(ColorSource, bool)>,
 }
 
 impl PartialEq for Direct {
@@ -138,7 +138,7 @@ impl PartialEq for Direct {
     }
 }
 
-impl Half {
+impl CombineHalf {
     /// The cheap stage that does what this half does, if there is one.
     fn direct(&self) -> Option<Direct> {
         let plain = |a: &Argument| a.operand == Operand::Color;
@@ -147,15 +147,18 @@ impl Half {
             return None;
         }
         let [first, second, third] = self.args.map(|a| a.source);
-        let other = if second == Source::Previous { first } else { second };
-        let onto_previous = (first == Source::Previous || second == Source::Previous) && other != Source::Previous;
+        let other = if second == ColorSource::Previous { first } else { second };
+        let onto_previous =
+            (first == ColorSource::Previous || second == ColorSource::Previous) && other != ColorSource::Previous;
         let direct = |stage, source| Some(Direct { stage, source, weight: None });
         match self.function {
             Function::Replace => direct(&ENV_REPLACE, first),
             Function::Modulate if onto_previous => direct(&ENV_MODULATE, other),
             Function::Add if onto_previous => direct(&ENV_ADD, other),
             Function::Interpolate
-                if second == Source::Previous && first != Source::Previous && third != Source::Previous =>
+                if second == ColorSource::Previous
+                    && first != ColorSource::Previous
+                    && third != ColorSource::Previous =>
             {
                 let of_alpha = match self.args[2].operand {
                     Operand::Color => false,
@@ -211,16 +214,16 @@ impl EnvPlan {
             first = false;
         }
         if first {
-            this.plan.push(&ENV_REPLACE, direct(RGB | ALPHA, Source::Primary, false));
+            this.plan.push(&ENV_REPLACE, direct(RGB | ALPHA, ColorSource::Primary, false));
         }
         this
     }
 
     /// Appends the stages of one unit. Of the first unit the colour so far is the primary colour.
     fn push(&mut self, form: &Combine, first: bool, general: bool) {
-        let of_first = |source| if first && source == Source::Previous { Source::Primary } else { source };
+        let of_first = |source| if first && source == ColorSource::Previous { ColorSource::Primary } else { source };
         let dot4 = form.rgb.function == Function::Dot3Rgba;
-        let direct = |half: &Half| if general { None } else { half.direct() };
+        let direct = |half: &CombineHalf| if general { None } else { half.direct() };
         let (rgb, alpha) = (direct(&form.rgb), if dot4 { None } else { direct(&form.alpha) });
         // Both halves the same: one step does both.
         if let (Some(a), Some(b)) = (rgb, alpha)
@@ -256,13 +259,13 @@ impl EnvPlan {
                 self.plan.push(stage, weighted(channels, source, weight, of_alpha, first));
             }
             // Nothing to do: the colour stays.
-            (Source::Previous, _) if !first => {}
-            (Source::Previous, _) => self.plan.push(stage, direct(channels, Source::Primary, true)),
+            (ColorSource::Previous, _) if !first => {}
+            (ColorSource::Previous, _) => self.plan.push(stage, direct(channels, ColorSource::Primary, true)),
             _ => self.plan.push(stage, direct(channels, source, first)),
         }
     }
 
-    fn push_arguments(&mut self, half: &Half, channels: u32, of_first: impl Fn(Source) -> Source) {
+    fn push_arguments(&mut self, half: &CombineHalf, channels: u32, of_first: impl Fn(ColorSource) -> ColorSource) {
         for (slot, a) in half.args.iter().take(half.function.arity()).enumerate() {
             let a = Argument { source: of_first(a.source), ..*a };
             self.plan.push(&ENV_ARGUMENT, argument(channels, slot, a));

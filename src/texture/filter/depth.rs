@@ -80,14 +80,14 @@ fn expand(out: &mut [Lanes; 4], depth: &Lanes, arg: u32) {
 #[inline(always)]
 fn read<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
-    if pass == 1 && !b.work.two_levels {
+    if pass == 1 && !b.scratch.two_levels {
         return;
     }
     let n = b.n;
-    let TexBatch { texel, work, coord, .. } = b;
+    let TexBatch { texel, scratch, coord, .. } = b;
     // Texels (0, 0), (1, 0), (0, 1), (1, 1) of each lane.
     let mut found = [[0.0; LANES]; 4];
-    each_lane::<DIMS>(work, n, u, pass, |i, image, at| {
+    each_lane::<DIMS>(scratch, n, u, pass, |i, image, at| {
         if !LINEAR {
             found[0][i] = texels(image).get(at).copied().unwrap_or(0.0);
         } else if DIMS == 1 {
@@ -107,13 +107,13 @@ fn read<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexB
     }
     let [mut depth, right, up, across] = found;
     if LINEAR {
-        let [ws, wt, _] = &work.weight;
+        let [ws, wt, _] = &scratch.weight;
         for i in 0..LANES {
             let row = lerp(depth[i], right[i], ws[i]);
             depth[i] = if DIMS == 1 { row } else { lerp(row, lerp(up[i], across[i], ws[i]), wt[i]) };
         }
     }
-    if let Some((out, _)) = destination(texel, &mut work.color, u.unit, arg, 1.0) {
+    if let Some((out, _)) = destination(texel, &mut scratch.color, u.unit, arg, 1.0) {
         expand(out, &depth, arg);
     }
 }

@@ -3,16 +3,13 @@
 //! how these texels lie in memory.
 
 use crate::simd::{Cost, LANES, Stage, stage};
-use crate::texture::batch::{Lanes, TexBatch, Work};
+use crate::texture::batch::{Lanes, SamplerScratch, TexBatch};
 use crate::texture::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
-use crate::texture::image::Texels;
+use crate::texture::image::{FloatTexel, Texels};
 use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
 
-/// A texel.
-type Texel = [f32; 4];
-
 #[inline(always)]
-fn texels(image: &MipLevel) -> &[Texel] {
+fn texels(image: &MipLevel) -> &[FloatTexel] {
     match &image.image.texels {
         Texels::Float(texels) => texels,
         _ => &[],
@@ -37,7 +34,7 @@ pub(super) fn neighbours<T: Copy + Default, const ROWS: usize>(
 /// Runs `f(lane, image, index of its first texel)` over the lanes in use.
 #[inline(always)]
 pub(super) fn each_lane<const DIMS: usize>(
-    w: &Work,
+    w: &SamplerScratch,
     n: usize,
     u: &UnitUniforms,
     pass: usize,
@@ -59,23 +56,23 @@ pub(super) fn each_lane<const DIMS: usize>(
 }
 
 #[inline(always)]
-fn mix(a: Texel, b: Texel, t: f32) -> Texel {
+fn mix(a: FloatTexel, b: FloatTexel, t: f32) -> FloatTexel {
     std::array::from_fn(|c| lerp(a[c], b[c], t))
 }
 
 #[inline(always)]
 fn sample<const DIMS: usize, const ROWS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, linear: bool) {
     let pass = usize::from(arg & SECOND != 0);
-    if pass == 1 && !b.work.two_levels {
+    if pass == 1 && !b.scratch.two_levels {
         return;
     }
     let n = b.n;
-    let TexBatch { texel, work, .. } = b;
+    let TexBatch { texel, scratch, .. } = b;
     let mut colors = [[0.0; LANES]; 4];
-    let [ws, wt, wr] = &work.weight;
-    each_lane::<DIMS>(work, n, u, pass, |i, image, at| {
+    let [ws, wt, wr] = &scratch.weight;
+    each_lane::<DIMS>(scratch, n, u, pass, |i, image, at| {
         let color = if linear {
-            let rows = neighbours::<Texel, ROWS>(texels(image), at, image.stride as usize, image.slice as usize);
+            let rows = neighbours::<FloatTexel, ROWS>(texels(image), at, image.stride as usize, image.slice as usize);
             let across = |r: usize| mix(rows[r][0], rows[r][1], ws[i]);
             match ROWS {
                 1 => across(0),
@@ -89,7 +86,7 @@ fn sample<const DIMS: usize, const ROWS: usize>(b: &mut TexBatch, u: &UnitUnifor
             colors[c][i] = color[c];
         }
     });
-    let out: Option<(&mut [Lanes; 4], f32)> = destination(texel, &mut work.color, u.unit, arg, 1.0);
+    let out: Option<(&mut [Lanes; 4], f32)> = destination(texel, &mut scratch.color, u.unit, arg, 1.0);
     if let Some((out, _)) = out {
         *out = colors;
     }

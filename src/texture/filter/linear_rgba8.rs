@@ -6,13 +6,13 @@
 //! of the texels. The factor 1/255 comes last, once.
 
 use crate::simd::{Cost, LANES, Stage, stage};
-use crate::texture::batch::{TexBatch, Work};
+use crate::texture::batch::{SamplerScratch, TexBatch};
 use crate::texture::filter::{
     INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, lerp, offsets, texels,
 };
 use crate::texture::format::BaseFormat;
 use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::texture::wrap::bounded::{Form, Range};
+use crate::texture::wrap::bounded::{CoordBounds, LinearWrap};
 use crate::texture::wrap::general::far_linear;
 
 /// In a stage's argument: it wraps its coordinates, each by REPEAT ([`REPEATS`] and the next two bits) or by CLAMP and
@@ -36,17 +36,17 @@ pub const ALPHA: u8 = 5;
 /// The two neighbours of every lane in a row of the image.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-pub struct Pairs<const N: usize>([[u32; 2]; N]);
+pub struct TexelPairs<const N: usize>([[u32; 2]; N]);
 
-impl<const N: usize> Pairs<N> {
+impl<const N: usize> TexelPairs<N> {
     /// No texels yet.
     pub const NONE: Self = Self([[0; 2]; N]);
 }
 
-/// Where the texels of every lane are. Aligned like [`Pairs`]: wide stores across the ends of cache lines are waited for.
+/// Where the texels of every lane are. Aligned like [`TexelPairs`]: wide stores across the ends of cache lines are waited for.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-pub struct Indices<const N: usize>(pub [u32; N]);
+pub struct TexelIndices<const N: usize>(pub [u32; N]);
 
 /// The texels of an image from each of the rows on that a filter reads: row j, row j+1, then those of slice k+1. All are
 /// equally long, so that an index is checked once.
@@ -65,7 +65,7 @@ fn rows<const ROWS: usize>(image: &MipLevel) -> Option<[&[u32]; ROWS]> {
 /// Copies the neighbours at `o` in each of the rows.
 #[inline(always)]
 fn pairs<const ROWS: usize, const N: usize>(
-    out: &mut [Pairs<N>; ROWS],
+    out: &mut [TexelPairs<N>; ROWS],
     lane: usize,
     rows: &[&[u32]; ROWS],
     o: usize,
@@ -79,18 +79,23 @@ fn pairs<const ROWS: usize, const N: usize>(
 }
 
 /// The one image that all lanes read, if they do, and where in it.
-struct Places<'a> {
+struct SharedImage<'a> {
     image: &'a MipLevel,
     at: [u32; LANES],
 }
 
 /// Wraps the coordinates if this is asked for, and finds the image and the places where all lanes read one.
 #[inline(always)]
-fn places<'a, const DIMS: usize>(b: &mut TexBatch, u: &'a UnitUniforms, arg: u32, pass: usize) -> Option<Places<'a>> {
-    let image = b.work.same[pass].and_then(|same| u.images.get(same));
+fn shared<'a, const DIMS: usize>(
+    b: &mut TexBatch,
+    u: &'a UnitUniforms,
+    arg: u32,
+    pass: usize,
+) -> Option<SharedImage<'a>> {
+    let image = b.scratch.same[pass].and_then(|same| u.images.get(same));
     if arg & WRAPS != 0 {
         let repeats = |c: usize| arg & REPEATS << c != 0;
-        let form = |c: usize| Form::new(repeats(c), Range::of(b, c), image?.size[c], image?.size[c]);
+        let form = |c: usize| LinearWrap::new(repeats(c), CoordBounds::of(b, c), image?.size[c], image?.size[c]);
         let forms = [form(0), form(1), form(2)];
         if let Some(image) = image
             && forms.iter().take(DIMS).all(Option::is_some)
@@ -98,24 +103,24 @@ fn places<'a, const DIMS: usize>(b: &mut TexBatch, u: &'a UnitUniforms, arg: u32
             let mut at = [image.origin; LANES];
             for (c, step) in [1, image.stride, image.slice].into_iter().enumerate().take(DIMS) {
                 let (Some(form), n) = (forms[c], image.size[c]) else { return None };
-                form.run(&b.coord[c], n, n, &mut b.work.weight[c], |i, index| {
+                form.run(&b.coord[c], n, n, &mut b.scratch.weight[c], |i, index| {
                     at[i] = at[i].wrapping_add(index.cast_unsigned().wrapping_mul(step));
                 });
             }
-            return Some(Places { image, at });
+            return Some(SharedImage { image, at });
         }
         for c in 0..DIMS {
             far_linear(b, u, arg & SECOND | c as u32, repeats(c));
         }
     }
     let image = image?;
-    Some(Places { image, at: offsets::<DIMS>(&b.work, image.origin, image.stride, image.slice) })
+    Some(SharedImage { image, at: offsets::<DIMS>(&b.scratch, image.origin, image.stride, image.slice) })
 }
 
 /// Fetches the pairs of lanes that read one image. An index beyond the image cannot come out of the wraps; were there one,
 /// the loop would end. (That it may end also keeps it a loop of plain loads: gather instructions are slower.)
 #[inline(always)]
-pub fn fetch_at<const ROWS: usize, const N: usize>(out: &mut [Pairs<N>; ROWS], image: &MipLevel, at: &[u32; N]) {
+pub fn fetch_at<const ROWS: usize, const N: usize>(out: &mut [TexelPairs<N>; ROWS], image: &MipLevel, at: &[u32; N]) {
     let Some(rows) = rows(image) else { return };
     for i in 0..N {
         if pairs(out, i, &rows, at[i] as usize).is_none() {
@@ -127,13 +132,13 @@ pub fn fetch_at<const ROWS: usize, const N: usize>(out: &mut [Pairs<N>; ROWS], i
 /// Fetches the pairs of all lanes.
 #[inline(always)]
 fn fetch<const DIMS: usize, const ROWS: usize>(
-    out: &mut [Pairs<LANES>; ROWS],
-    places: Option<Places<'_>>,
-    w: &Work,
+    out: &mut [TexelPairs<LANES>; ROWS],
+    shared: Option<SharedImage<'_>>,
+    w: &SamplerScratch,
     u: &UnitUniforms,
     pass: usize,
 ) {
-    if let Some(Places { image, at }) = places {
+    if let Some(SharedImage { image, at }) = shared {
         fetch_at(out, image, &at);
     } else {
         for i in 0..LANES {
@@ -149,13 +154,13 @@ fn fetch<const DIMS: usize, const ROWS: usize>(
 #[inline(always)]
 fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
-    if pass == 1 && !b.work.two_levels {
+    if pass == 1 && !b.scratch.two_levels {
         return;
     }
-    let mut rows = [Pairs::NONE; ROWS];
-    let places = places::<DIMS>(b, u, arg, pass);
-    fetch::<DIMS, ROWS>(&mut rows, places, &b.work, u, pass);
-    let TexBatch { texel, work: Work { weight: [ws, wt, wr], color, .. }, .. } = b;
+    let mut rows = [TexelPairs::NONE; ROWS];
+    let shared = shared::<DIMS>(b, u, arg, pass);
+    fetch::<DIMS, ROWS>(&mut rows, shared, &b.scratch, u, pass);
+    let TexBatch { texel, scratch: SamplerScratch { weight: [ws, wt, wr], color, .. }, .. } = b;
     let Some((out, k)) = destination(texel, color, u.unit, arg, INV_255) else { return };
     for start in (0..LANES).step_by(CHUNK) {
         let chunk = blend::<ROWS, FORMAT, LANES>(&rows, [ws, wt, wr], start, k);
@@ -174,7 +179,7 @@ pub const CHUNK: usize = 16;
 /// at run time whether what is written is also what is read.
 #[inline(always)]
 pub fn blend<const ROWS: usize, const FORMAT: u8, const N: usize>(
-    rows: &[Pairs<N>; ROWS],
+    rows: &[TexelPairs<N>; ROWS],
     [ws, wt, wr]: [&[f32; N]; 3],
     start: usize,
     k: f32,

@@ -6,7 +6,7 @@ pub mod float;
 pub mod linear_rgba8;
 pub mod nearest_rgba8;
 
-use super::batch::{Lanes, Work};
+use super::batch::{Lanes, SamplerScratch};
 use super::image::Texels;
 use super::uniforms::{MipLevel, UnitUniforms};
 use super::wrap::general;
@@ -46,15 +46,20 @@ pub fn texels(image: &MipLevel) -> &[u32] {
 
 /// Index of each lane's first texel, `origin` being that of texel (0, 0, 0).
 #[inline(always)]
-pub(super) fn offsets<const DIMS: usize>(work: &Work, origin: u32, stride: u32, slice: u32) -> [u32; LANES] {
+pub(super) fn offsets<const DIMS: usize>(
+    scratch: &SamplerScratch,
+    origin: u32,
+    stride: u32,
+    slice: u32,
+) -> [u32; LANES] {
     let mut at = [0; LANES];
     for i in 0..LANES {
-        let mut o = origin.wrapping_add_signed(work.first[0][i]);
+        let mut o = origin.wrapping_add_signed(scratch.first[0][i]);
         if DIMS > 1 {
-            o = o.wrapping_add((work.first[1][i] as u32).wrapping_mul(stride));
+            o = o.wrapping_add((scratch.first[1][i] as u32).wrapping_mul(stride));
         }
         if DIMS > 2 {
-            o = o.wrapping_add((work.first[2][i] as u32).wrapping_mul(slice));
+            o = o.wrapping_add((scratch.first[2][i] as u32).wrapping_mul(slice));
         }
         at[i] = o;
     }
@@ -63,19 +68,24 @@ pub(super) fn offsets<const DIMS: usize>(work: &Work, origin: u32, stride: u32, 
 
 /// The image that a lane reads in a pass where lanes differ.
 #[inline(always)]
-pub(super) fn lane_image<'a>(u: &'a UnitUniforms, work: &Work, pass: usize, i: usize) -> Option<&'a MipLevel> {
-    u.images.get(work.face[i] as usize * u.face_step + work.level[pass][i] as usize)
+pub(super) fn lane_image<'a>(
+    u: &'a UnitUniforms,
+    scratch: &SamplerScratch,
+    pass: usize,
+    i: usize,
+) -> Option<&'a MipLevel> {
+    u.images.get(scratch.face[i] as usize * u.face_step + scratch.level[pass][i] as usize)
 }
 
 /// Index of a lane's first texel in its own image.
 #[inline(always)]
-pub(super) fn lane_offset<const DIMS: usize>(work: &Work, image: &MipLevel, i: usize) -> usize {
-    let mut o = image.origin.wrapping_add_signed(work.first[0][i]);
+pub(super) fn lane_offset<const DIMS: usize>(scratch: &SamplerScratch, image: &MipLevel, i: usize) -> usize {
+    let mut o = image.origin.wrapping_add_signed(scratch.first[0][i]);
     if DIMS > 1 {
-        o = o.wrapping_add((work.first[1][i] as u32).wrapping_mul(image.stride));
+        o = o.wrapping_add((scratch.first[1][i] as u32).wrapping_mul(image.stride));
     }
     if DIMS > 2 {
-        o = o.wrapping_add((work.first[2][i] as u32).wrapping_mul(image.slice));
+        o = o.wrapping_add((scratch.first[2][i] as u32).wrapping_mul(image.slice));
     }
     o as usize
 }

@@ -3,21 +3,26 @@
 
 use super::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, neighbours, offsets, texels};
 use crate::simd::{Cost, LANES, Stage, stage};
-use crate::texture::batch::{TexBatch, Work};
+use crate::texture::batch::{SamplerScratch, TexBatch};
 use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
-use crate::texture::wrap::bounded::Near;
+use crate::texture::wrap::bounded::NearestWrap;
 use crate::texture::wrap::general::far_nearest;
 
 /// The nearest texel of every lane.
 #[inline(always)]
-fn nearest_texels<const DIMS: usize>(found: &mut [u32; LANES], work: &Work, u: &UnitUniforms, pass: usize) {
-    if let Some(same) = work.same[pass] {
+fn nearest_texels<const DIMS: usize>(
+    found: &mut [u32; LANES],
+    scratch: &SamplerScratch,
+    u: &UnitUniforms,
+    pass: usize,
+) {
+    if let Some(same) = scratch.same[pass] {
         let Some(image) = u.images.get(same) else { return };
-        texels_at(found, image, &offsets::<DIMS>(work, image.origin, image.stride, image.slice));
+        texels_at(found, image, &offsets::<DIMS>(scratch, image.origin, image.stride, image.slice));
     } else {
         for i in 0..LANES {
-            let Some(image) = lane_image(u, work, pass, i) else { break };
-            let Some(&texel) = texels(image).get(lane_offset::<DIMS>(work, image, i)) else { break };
+            let Some(image) = lane_image(u, scratch, pass, i) else { break };
+            let Some(&texel) = texels(image).get(lane_offset::<DIMS>(scratch, image, i)) else { break };
             found[i] = texel;
         }
     }
@@ -42,10 +47,10 @@ fn texels_at(found: &mut [u32; LANES], image: &MipLevel, at: &[u32; LANES]) {
 fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let (across, up) = (arg & REPEATS != 0, arg & (2 * REPEATS) != 0);
     let pass = usize::from(arg & SECOND != 0);
-    let TexBatch { coord: [s, t, _], limit, work, .. } = b;
-    if let Some(image) = work.same[pass].and_then(|same| u.images.get(same))
-        && let Some(column) = Near::new(across, limit[0], image.size[0])
-        && let Some(row) = Near::new(up, limit[1], image.size[1])
+    let TexBatch { coord: [s, t, _], limit, scratch, .. } = b;
+    if let Some(image) = scratch.same[pass].and_then(|same| u.images.get(same))
+        && let Some(column) = NearestWrap::new(across, limit[0], image.size[0])
+        && let Some(row) = NearestWrap::new(up, limit[1], image.size[1])
     {
         let mut at = [0; LANES];
         for i in 0..LANES {
@@ -56,23 +61,23 @@ fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, ar
     }
     far_nearest(b, u, arg & SECOND, across);
     far_nearest(b, u, arg & SECOND | 1, up);
-    nearest_texels::<2>(found, &b.work, u, pass);
+    nearest_texels::<2>(found, &b.scratch, u, pass);
 }
 
 #[inline(always)]
 fn sample_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
-    if pass == 1 && !b.work.two_levels {
+    if pass == 1 && !b.scratch.two_levels {
         return;
     }
     let mut found = [0; LANES];
     if WRAPS {
         wrap_nearest(&mut found, b, u, arg);
     } else {
-        nearest_texels::<DIMS>(&mut found, &b.work, u, pass);
+        nearest_texels::<DIMS>(&mut found, &b.scratch, u, pass);
     }
-    let TexBatch { texel, work, .. } = b;
-    let Some((out, k)) = destination(texel, &mut work.color, u.unit, arg, INV_255) else { return };
+    let TexBatch { texel, scratch, .. } = b;
+    let Some((out, k)) = destination(texel, &mut scratch.color, u.unit, arg, INV_255) else { return };
     for c in 0..4 {
         for i in 0..LANES {
             out[c][i] = byte(found[i], c as u32) * k;
@@ -95,11 +100,11 @@ stage! {
     }
     /// The nearest texel of a 1D image, packed.
     pub fn NEAREST_1D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        nearest_texels::<1>(&mut b.packed, &b.work, u, 0);
+        nearest_texels::<1>(&mut b.packed, &b.scratch, u, 0);
     }
     /// The nearest texel of a 2D image, packed.
     pub fn NEAREST_2D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        nearest_texels::<2>(&mut b.packed, &b.work, u, 0);
+        nearest_texels::<2>(&mut b.packed, &b.scratch, u, 0);
     }
     /// REPEAT, CLAMP or CLAMP_TO_EDGE in s and in t, and the nearest texel of a 2D image.
     pub fn WRAP_NEAREST_2D: TexFn [Cost { texels: 1, wraps: 2, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
@@ -113,7 +118,7 @@ stage! {
     }
     /// The nearest texel of a 3D image, packed.
     pub fn NEAREST_3D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        nearest_texels::<3>(&mut b.packed, &b.work, u, 0);
+        nearest_texels::<3>(&mut b.packed, &b.scratch, u, 0);
     }
 }
 

@@ -9,17 +9,14 @@
 
 mod rgba8;
 
-use super::image::{Image, Texels, zeroed};
+use super::image::{FloatTexel, Image, Texels, zeroed};
 use crate::error::Outcome;
 use std::sync::Arc;
 
-/// Four components.
-type Texel = [f32; 4];
-
 /// A level with its border, in floats, the first dimension fastest.
-struct Level {
+struct FloatLevel {
     size: [usize; 3],
-    texels: Vec<Texel>,
+    texels: Vec<FloatTexel>,
 }
 
 /// The size of the next level: half of each dimension, rounded down, at least 1.
@@ -51,14 +48,14 @@ pub fn levels(
     let count = count.min(levels_below([base.width, base.height, base.depth]));
     let means = rgba8::levels(base, count, simd, old, &mut made)?;
     let halved = |n: u32| (n >> made.len()) as usize;
-    let mut above = means.map(|texels| Level { size: [halved(base.width), halved(base.height), 1], texels });
+    let mut above = means.map(|texels| FloatLevel { size: [halved(base.width), halved(base.height), 1], texels });
     for n in made.len()..count {
         let level = match &above {
             None => first_reduction(base)?,
-            Some(Level { size: [w, h, d], texels }) if is_even(border, [*w, *h, *d]) => {
+            Some(FloatLevel { size: [w, h, d], texels }) if is_even(border, [*w, *h, *d]) => {
                 quarter([*w, *h], |y| texels.get(y * w..(y + 1) * w).unwrap_or(&[]))?
             }
-            Some(Level { size: [w, h, d], texels }) => reduce([*w, *h, *d], border, |y, z, to| {
+            Some(FloatLevel { size: [w, h, d], texels }) => reduce([*w, *h, *d], border, |y, z, to| {
                 let at = (z * h + y) * w;
                 to.copy_from_slice(texels.get(at..at + w).unwrap_or(&[]));
             })?,
@@ -71,7 +68,7 @@ pub fn levels(
 }
 
 /// The first reduction reads the image itself, where it is not packed or not even.
-fn first_reduction(base: &Image) -> Outcome<Level> {
+fn first_reduction(base: &Image) -> Outcome<FloatLevel> {
     let full = base.full_size().map(|n| n as usize);
     let first = base.first();
     reduce(full, base.border as usize, |y, z, to| {
@@ -85,7 +82,7 @@ fn is_even(border: usize, [w, h, d]: [usize; 3]) -> bool {
 }
 
 /// [`reduce`] for two even dimensions at once: the same sums, as only halves are taken of them.
-fn quarter<'a>([w, h]: [usize; 2], row: impl Fn(usize) -> &'a [Texel]) -> Outcome<Level> {
+fn quarter<'a>([w, h]: [usize; 2], row: impl Fn(usize) -> &'a [FloatTexel]) -> Outcome<FloatLevel> {
     let mut texels = zeroed(w / 2 * (h / 2), [0.0; 4])?;
     for (y, out) in texels.chunks_exact_mut(w / 2).enumerate() {
         let pairs = row(2 * y).as_chunks::<2>().0.iter().zip(row(2 * y + 1).as_chunks::<2>().0);
@@ -93,7 +90,7 @@ fn quarter<'a>([w, h]: [usize; 2], row: impl Fn(usize) -> &'a [Texel]) -> Outcom
             *to = std::array::from_fn(|i| ((a[i] + b[i]) + (c[i] + d[i])) * 0.25);
         }
     }
-    Ok(Level { size: [w / 2, h / 2, 1], texels })
+    Ok(FloatLevel { size: [w / 2, h / 2, 1], texels })
 }
 
 /// What an item of a reduced dimension is made of: `count` items from `first` on with weights, divided by `whole`.
@@ -136,7 +133,7 @@ fn taps(full: usize, border: usize) -> Outcome<Vec<Taps>> {
 }
 
 /// The next level of a level of `size`, border included. `row` writes row y of slice z.
-fn reduce(size: [usize; 3], border: usize, row: impl Fn(usize, usize, &mut [Texel])) -> Outcome<Level> {
+fn reduce(size: [usize; 3], border: usize, row: impl Fn(usize, usize, &mut [FloatTexel])) -> Outcome<FloatLevel> {
     let [across, down, deep] = [taps(size[0], border)?, taps(size[1], border)?, taps(size[2], border)?];
     let width = across.len();
     let mut texels = zeroed(width * down.len() * deep.len(), [0.0; 4])?;
@@ -166,11 +163,11 @@ fn reduce(size: [usize; 3], border: usize, row: impl Fn(usize, usize, &mut [Texe
         }
         combine(z, &slices, out);
     }
-    Ok(Level { size: [width, down.len(), deep.len()], texels })
+    Ok(FloatLevel { size: [width, down.len(), deep.len()], texels })
 }
 
 /// Reduces a row along itself.
-fn reduce_row(from: &[Texel], across: &[Taps], to: &mut [Texel]) {
+fn reduce_row(from: &[FloatTexel], across: &[Taps], to: &mut [FloatTexel]) {
     for (to, taps) in to.iter_mut().zip(across) {
         let from = from.get(taps.first..taps.first + taps.count).unwrap_or(&[]);
         *to = match from {
@@ -183,7 +180,7 @@ fn reduce_row(from: &[Texel], across: &[Taps], to: &mut [Texel]) {
 }
 
 /// Combines up to three rows texel by texel.
-fn combine(taps: Taps, [a, b, c]: &[Vec<Texel>; 3], to: &mut [Texel]) {
+fn combine(taps: Taps, [a, b, c]: &[Vec<FloatTexel>; 3], to: &mut [FloatTexel]) {
     match taps.count {
         1 => to.copy_from_slice(a),
         2 => to.iter_mut().zip(a.iter().zip(b)).for_each(|(to, (a, b))| *to = mean(a, b)),
@@ -195,18 +192,18 @@ fn combine(taps: Taps, [a, b, c]: &[Vec<Texel>; 3], to: &mut [Texel]) {
 }
 
 #[inline]
-fn mean(a: &Texel, b: &Texel) -> Texel {
+fn mean(a: &FloatTexel, b: &FloatTexel) -> FloatTexel {
     std::array::from_fn(|i| (a[i] + b[i]) * 0.5)
 }
 
 #[inline]
-fn weigh(taps: &Taps, a: &Texel, b: &Texel, c: &Texel) -> Texel {
+fn weigh(taps: &Taps, a: &FloatTexel, b: &FloatTexel, c: &FloatTexel) -> FloatTexel {
     let [u, v, w] = taps.weights;
     std::array::from_fn(|i| (a[i] * u + b[i] * v + c[i] * w) / taps.whole)
 }
 
 /// The texels of an image from an index on: packed ones as whole numbers from 0 to 255, whose sums are exact.
-fn read_row(image: &Image, at: usize, to: &mut [Texel]) {
+fn read_row(image: &Image, at: usize, to: &mut [FloatTexel]) {
     match image.own_texels() {
         Texels::Rgba8(t) => {
             let row = t.get(at..at + to.len()).unwrap_or(&[]);
@@ -218,7 +215,7 @@ fn read_row(image: &Image, at: usize, to: &mut [Texel]) {
 }
 
 /// An image like `like`, of the given interior size, that holds a level: each texel rounded to what its format keeps.
-fn to_image(like: &Image, size: [u32; 3], level: &Level) -> Outcome<Image> {
+fn to_image(like: &Image, size: [u32; 3], level: &FloatLevel) -> Outcome<Image> {
     let mut image = Image::new(like.format, like.dimensions, size, like.border)?;
     image.internal_format = like.internal_format;
     image.fit = like.fit;
@@ -280,7 +277,7 @@ mod tests {
             let mut wanted = Vec::new();
             let mut above = first_reduction(&base).expect("memory");
             while wanted.len() < levels_below([size[0], size[1], 1]) {
-                let Level { size: [w, h, _], texels } = &above;
+                let FloatLevel { size: [w, h, _], texels } = &above;
                 wanted.push(to_image(&base, [*w as u32, *h as u32, 1], &above).expect("memory"));
                 let next = reduce([*w, *h, 1], 0, |y, _, to| to.copy_from_slice(&texels[y * w..][..*w]));
                 above = next.expect("memory");

@@ -14,30 +14,30 @@ const MOST: usize = 4;
 const BYTES: u32 = 0x00FF_00FF;
 
 /// Rows of 32-bit words, so many apart.
-struct Rows<T> {
+struct WordRows<T> {
     words: T,
     stride: usize,
 }
 
 /// What the strips are made of and what they make.
-struct Job<'a> {
+struct StripJob<'a> {
     /// The base, from its first texel on, and its size.
-    base: Rows<&'a [u32]>,
+    base: WordRows<&'a [u32]>,
     size: [usize; 2],
     /// The levels, each from its first texel on; as many as are made.
-    levels: Vec<Rows<&'a mut [u32]>>,
+    levels: Vec<WordRows<&'a mut [u32]>>,
     /// Room for the sums of a strip, level after level.
     sums: &'a mut [u32],
     /// The means of the last level before they are rounded.
     means: &'a mut [[f32; 4]],
 }
 
-type JobFn = for<'a, 'b> unsafe fn(&'a mut Job<'b>);
+type StripFn = for<'a, 'b> unsafe fn(&'a mut StripJob<'b>);
 
 stage! {
     /// Makes all levels, from the last strip to the first: the end of the base is what an upload has left in the cache.
-    fn STRIPS: JobFn = (job: &mut Job<'_>) {
-        let Job { base, size: [w, h], levels, sums, means } = job;
+    fn STRIPS: StripFn = (job: &mut StripJob<'_>) {
+        let StripJob { base, size: [w, h], levels, sums, means } = job;
         let count = levels.len();
         for strip in (0..*h >> count).rev() {
             let (mut above, mut rest) = (&[][..], &mut **sums);
@@ -139,8 +139,8 @@ pub(super) fn levels(
     }
     let mut sums = zeroed(w << count, 0)?;
     let mut means = zeroed((w >> count) * (h >> count), [0.0; 4])?;
-    let mut job = Job {
-        base: Rows { words: texels.get(base.origin()..).unwrap_or(&[]), stride: base.row_stride() },
+    let mut job = StripJob {
+        base: WordRows { words: texels.get(base.origin()..).unwrap_or(&[]), stride: base.row_stride() },
         size: [w, h],
         levels: made.iter_mut().map(rows_of).collect(),
         sums: &mut sums,
@@ -161,13 +161,13 @@ pub(super) fn levels(
 }
 
 /// The texels of an image from its first one on.
-fn rows_of(image: &mut Image) -> Rows<&mut [u32]> {
+fn rows_of(image: &mut Image) -> WordRows<&mut [u32]> {
     let (at, stride) = (image.origin(), image.row_stride());
     let words = match &mut image.texels {
         Texels::Rgba8(texels) => texels.get_mut(at..).unwrap_or(&mut []),
         _ => &mut [],
     };
-    Rows { words, stride }
+    WordRows { words, stride }
 }
 
 /// The image of a slot, to be written over, if it has the shape of a level of this size and nobody else holds it.

@@ -80,12 +80,12 @@ struct Colors {
 }
 
 /// Texels of which some may be transparent in the way of DXT1: those with an alpha below 128 take code 3.
-struct Block<'a> {
+struct ColorBlock<'a> {
     texels: &'a [u32; 16],
     transparent: bool,
 }
 
-impl Block<'_> {
+impl ColorBlock<'_> {
     fn visible(&self, t: u32) -> bool {
         !self.transparent || t >> 24 >= 128
     }
@@ -149,7 +149,7 @@ impl Block<'_> {
 }
 
 fn encode_color(texels: &[u32; 16], transparent: bool, fit: Fit) -> [u8; 8] {
-    let given = Block { texels, transparent };
+    let given = ColorBlock { texels, transparent };
     let of_texel = |t: u32| to_565(std::array::from_fn(|i| f64::from(channel(t, i))));
     let mut colors = given.choose(given.extremes().map(of_texel));
     // The error is a whole number that becomes less each time, so this ends.

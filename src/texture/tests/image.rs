@@ -7,7 +7,7 @@ use crate::state::pixel::PixelStore;
 use crate::texture::format::{BaseFormat, FORMATS, InternalFormat, Storage};
 use crate::texture::image::{Dimensions, Image, Texels};
 use crate::texture::mipmap;
-use crate::texture::padding::{Pad, PadKey};
+use crate::texture::padding::{Padding, PaddingKey};
 use crate::texture::s3tc::Fit;
 
 fn find(name: GLenum) -> &'static InternalFormat {
@@ -79,7 +79,7 @@ fn every_internal_format_takes_every_color_pair() {
     for internal in FORMATS.iter().filter(|f| f.base != BaseFormat::Depth && f.s3tc.is_none()) {
         for (form, type_) in format::all_pairs() {
             let Ok(pixel) = PixelFormat::for_command(form, type_, format::Purpose::TexImage) else { continue };
-            if pixel.kind() != format::Kind::Color {
+            if pixel.kind() != format::PixelKind::Color {
                 continue;
             }
             let mut bytes = noise(5 * 3 * 16);
@@ -200,7 +200,7 @@ fn the_border_is_data() {
             let len = image.get_tex_image_bytes(&PixelStore::TIGHT, pair.0, pair.1).unwrap();
             assert_eq!(len, bytes.len());
             let mut padded = image.clone();
-            padded.fill_pads(&PadKey::new([GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT], [1.0; 4])).unwrap();
+            padded.fill_padding(&PaddingKey::new([GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT], [1.0; 4])).unwrap();
             for image in [image, padded] {
                 let mut out = vec![0; len];
                 image.get_tex_image(&PixelStore::TIGHT, pair.0, pair.1, &mut out).unwrap();
@@ -216,13 +216,13 @@ fn the_border_is_data() {
 }
 
 /// Which texel stands at `i` of a dimension of `n` texels: another one, or `None` for the border.
-fn wrapped(i: i32, n: i32, pad: Pad) -> Option<i32> {
+fn wrapped(i: i32, n: i32, pad: Padding) -> Option<i32> {
     match pad {
         _ if (0..n).contains(&i) => Some(i),
-        Pad::Repeat => Some(i.rem_euclid(n)),
-        Pad::Edge => Some(i.clamp(0, n - 1)),
-        Pad::MirrorBorder if i < 0 => Some(0),
-        Pad::Border | Pad::MirrorBorder => None,
+        Padding::Repeat => Some(i.rem_euclid(n)),
+        Padding::Edge => Some(i.clamp(0, n - 1)),
+        Padding::MirrorBorder if i < 0 => Some(0),
+        Padding::Border | Padding::MirrorBorder => None,
     }
 }
 
@@ -244,9 +244,9 @@ fn the_ring_is_what_the_wraps_ask_for() {
             let original = image.clone();
             for n in 0..64usize {
                 let wrap = [wraps[n & 3], wraps[n >> 2 & 3], wraps[n >> 4]];
-                let key = PadKey::new(wrap, [0.2, 0.4, 0.6, 0.8]);
-                image.fill_pads(&key).unwrap();
-                assert!(image.pads_are(&key));
+                let key = PaddingKey::new(wrap, [0.2, 0.4, 0.6, 0.8]);
+                image.fill_padding(&key).unwrap();
+                assert!(image.is_padded_for(&key));
                 let range = |a: usize| if has[a] { -1..size[a] as i32 + 1 } else { 0..1 };
                 for (i, j, k) in range(2).flat_map(|k| range(1).flat_map(move |j| range(0).map(move |i| (i, j, k)))) {
                     let at = [i, j, k];
@@ -272,18 +272,18 @@ fn the_ring_is_what_the_wraps_ask_for() {
 fn writing_forgets_the_pads_and_keeps_the_border() {
     let (mut image, _) = noisy(GL_RGBA8, Dimensions::Two, [6, 6, 1], 1);
     let border = image.texel(-1, 2, 0);
-    image.fill_pads(&PadKey::new([GL_REPEAT; 3], [0.0; 4])).unwrap();
+    image.fill_padding(&PaddingKey::new([GL_REPEAT; 3], [0.0; 4])).unwrap();
     assert_ne!(image.texel(-1, 2, 0), border);
     image.upload([0, 0, 0], &rgba(&[9; 4], [1, 1, 1]), Transfer::NEUTRAL).unwrap();
     assert_eq!((image.texel(-1, 2, 0), image.texel(0, 0, 0)), (border, [9.0 / 255.0; 4]));
     image.upload([-1, 2, 0], &rgba(&[8; 4], [1, 1, 1]), Transfer::NEUTRAL).unwrap();
     assert_eq!(image.texel(-1, 2, 0), [8.0 / 255.0; 4]);
     let (mut image, _) = noisy(GL_RGBA8, Dimensions::Two, [4, 4, 1], 0);
-    let key = PadKey::new([GL_REPEAT; 3], [0.0; 4]);
-    image.fill_pads(&key).unwrap();
+    let key = PaddingKey::new([GL_REPEAT; 3], [0.0; 4]);
+    image.fill_padding(&key).unwrap();
     image.write_rgba8([0, 0, 0], &[u32::MAX], Transfer::NEUTRAL);
-    assert!(!image.pads_are(&key));
-    image.fill_pads(&key).unwrap();
+    assert!(!image.is_padded_for(&key));
+    image.fill_padding(&key).unwrap();
     assert_eq!(image.texel(4, 4, 0), [1.0; 4]);
 }
 
@@ -322,7 +322,7 @@ fn absurd_sizes_are_out_of_memory() {
     let empty = Image::new(find(GL_RGBA), Dimensions::Two, [0, 5, 1], 0).unwrap();
     assert!(empty.is_null());
     let mut empty = empty;
-    empty.fill_pads(&PadKey::new([GL_REPEAT; 3], [0.0; 4])).unwrap();
+    empty.fill_padding(&PaddingKey::new([GL_REPEAT; 3], [0.0; 4])).unwrap();
     assert!(mipmap::levels(&empty, 5, Level::Baseline, &mut []).unwrap().is_empty());
     let mut out = [];
     empty.get_tex_image(&PixelStore::TIGHT, GL_RGBA, GL_FLOAT, &mut out).unwrap();

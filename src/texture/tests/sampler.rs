@@ -46,8 +46,8 @@ fn a_constant_texture_stays_constant_whatever_the_coordinate() {
     let mut points = Vec::new();
     for (i, &a) in s.iter().enumerate() {
         let b = s[(i * 7 + 3) % s.len()];
-        points.push(Point { at: [a, b, a], dx: [b, a, 0.1], dy: [0.3, 0.01, b] });
-        points.push(Point { at: [a, 0.3, b], dx: [0.3, 1e-3, 0.0], dy: [0.001, 0.02, 0.0] });
+        points.push(SamplePoint { at: [a, b, a], dx: [b, a, 0.1], dy: [0.3, 0.01, b] });
+        points.push(SamplePoint { at: [a, 0.3, b], dx: [0.3, 1e-3, 0.0], dy: [0.001, 0.02, 0.0] });
     }
     for target in [Target::D1, Target::D2, Target::D3, Target::Cube] {
         for wrap in WRAPS {
@@ -70,10 +70,14 @@ fn a_constant_texture_stays_constant_whatever_the_coordinate() {
 
 #[test]
 fn what_is_sampled_lies_within_the_texels() {
-    let points: Vec<Point> = (0..4000)
+    let points: Vec<SamplePoint> = (0..4000)
         .map(|i| {
             let x = i as f32;
-            Point { at: [x * 0.0137 - 20.0, x * 0.0071 - 9.0, x * 0.003], dx: [x * 1e-4, 0.02, 0.0], dy: [0.01; 3] }
+            SamplePoint {
+                at: [x * 0.0137 - 20.0, x * 0.0071 - 9.0, x * 0.003],
+                dx: [x * 1e-4, 0.02, 0.0],
+                dy: [0.01; 3],
+            }
         })
         .collect();
     for (size, levels) in [([5, 3, 2], 3), ([8, 8, 8], 4), ([1, 1, 1], 1), ([1, 7, 1], 3)] {
@@ -326,7 +330,7 @@ fn magnification_by_the_threshold_of_the_filters() {
 fn lanes_do_not_change_each_other() {
     // The same points alone, all together, and among others of very different lambda: the paths for one level and for
     // many must agree to the last bit.
-    let points: Vec<Point> = (0..64)
+    let points: Vec<SamplePoint> = (0..64)
         .map(|i| {
             let (x, l) = (i as f32 * 0.173, f64::from(i % 13) * 0.61 - 1.0);
             let mut p = with_lambda(at(x, 1.0 - x * 0.7, x * 0.31), l, 16.0);
@@ -356,7 +360,7 @@ fn lanes_do_not_change_each_other() {
 #[test]
 fn limits_of_lambda_change_no_bit_that_they_should_not() {
     // `sample` compares what is left out for such limits with what is not.
-    let points: Vec<Point> = (0..40)
+    let points: Vec<SamplePoint> = (0..40)
         .map(|i| with_lambda(at(i as f32 * 0.31, i as f32 * 0.17, 0.2), f64::from(i) * 0.2 - 2.0, 16.0))
         .collect();
     let limits = [-3.0, 0.0, 0.4, 0.5, 0.6, 1.0, 2.3, 4.0, 9.0];

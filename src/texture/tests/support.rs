@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// A fragment's coordinates and their derivatives in x and y.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Point {
+pub struct SamplePoint {
     /// s, t, r.
     pub at: [f32; 3],
     /// d/dx.
@@ -23,14 +23,14 @@ pub struct Point {
 }
 
 /// A point without derivatives.
-pub fn at(s: f32, t: f32, r: f32) -> Point {
-    Point { at: [s, t, r], ..Point::default() }
+pub fn at(s: f32, t: f32, r: f32) -> SamplePoint {
+    SamplePoint { at: [s, t, r], ..SamplePoint::default() }
 }
 
 /// Points of a texture of `size` texels whose lambda (of an isotropic footprint) is `lambda`.
-pub fn with_lambda(p: Point, lambda: f64, size: f64) -> Point {
+pub fn with_lambda(p: SamplePoint, lambda: f64, size: f64) -> SamplePoint {
     let d = (lambda.exp2() / size) as f32;
-    Point { dx: [d, 0.0, 0.0], dy: [0.0, d, 0.0], ..p }
+    SamplePoint { dx: [d, 0.0, 0.0], dy: [0.0, d, 0.0], ..p }
 }
 
 /// Stores a colour (or in a depth image its red) as texel (i, j, k).
@@ -85,12 +85,12 @@ pub fn grey(v: i32) -> [f32; 4] {
 
 /// Samples points, 64 at a time, at every SIMD level that is there, with what can be left out left out and without, and
 /// returns the colours. All must agree to the last bit.
-pub fn sample(object: &TextureObject, points: &[Point]) -> Vec<[f32; 4]> {
+pub fn sample(object: &TextureObject, points: &[SamplePoint]) -> Vec<[f32; 4]> {
     sample_with_bias(object, points, 0.0)
 }
 
 /// [`sample`] with a unit's LOD bias.
-pub fn sample_with_bias(object: &TextureObject, points: &[Point], bias: f32) -> Vec<[f32; 4]> {
+pub fn sample_with_bias(object: &TextureObject, points: &[SamplePoint], bias: f32) -> Vec<[f32; 4]> {
     let mut object = object.clone();
     prepare(&mut object).unwrap();
     let mut results: Vec<Vec<[f32; 4]>> = Vec::new();
@@ -126,6 +126,6 @@ pub fn in_255ths(v: f32) -> f32 {
 }
 
 /// The red of a sampled point in 255ths.
-pub fn red(object: &TextureObject, p: Point) -> f32 {
+pub fn red(object: &TextureObject, p: SamplePoint) -> f32 {
     in_255ths(sample(object, &[p])[0][0])
 }

@@ -20,14 +20,14 @@ const BEYOND: f32 = 4_194_304.0;
 
 /// Between which numbers a coordinate lies in all lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
+pub struct CoordBounds {
     /// No lane is below this.
     pub least: f32,
     /// None is farther from 0.
     pub limit: f32,
 }
 
-impl Range {
+impl CoordBounds {
     /// That of coordinate `c`.
     #[inline(always)]
     pub(crate) fn of(b: &TexBatch, c: usize) -> Self {
@@ -51,14 +51,14 @@ fn repeat_mask(limit: f32, scale: f32, n: f32) -> Option<u32> {
 
 /// REPEAT of powers of two, CLAMP and CLAMP_TO_EDGE in one form, for the nearest texel of an image in one step.
 #[derive(Clone, Copy)]
-pub struct Near {
+pub struct NearestWrap {
     n: f32,
     least: f32,
     greatest: f32,
     mask: u32,
 }
 
-impl Near {
+impl NearestWrap {
     /// For coordinates no farther from 0 than `limit` and N texels; `None` where REPEAT does not come down to a mask.
     #[inline(always)]
     pub fn new(repeats: bool, limit: f32, n: f32) -> Option<Self> {
@@ -81,7 +81,7 @@ impl Near {
 
 /// How a dimension is wrapped for a linear filter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Form {
+pub enum LinearWrap {
     /// Not at all, but for the low bits of the index: all of them, or those of REPEAT where whole numbers were taken off
     /// before.
     Inside(u32),
@@ -91,11 +91,11 @@ pub enum Form {
     Limited,
 }
 
-impl Form {
+impl LinearWrap {
     /// For coordinates in `range`, which are multiplied with `scale`, and N texels; `None` where REPEAT does not come down
     /// to a mask.
     #[inline(always)]
-    pub fn new(repeats: bool, range: Range, scale: f32, n: f32) -> Option<Self> {
+    pub fn new(repeats: bool, range: CoordBounds, scale: f32, n: f32) -> Option<Self> {
         let inside = range.inside() && scale == n;
         if !repeats {
             return Some(if inside { Self::Inside(u32::MAX) } else { Self::Limited });
@@ -163,10 +163,10 @@ mod tests {
     use crate::enums::{GL_CLAMP, GL_REPEAT};
     use crate::simd::LANES;
 
-    const ANYWHERE: Range = Range { least: f32::NEG_INFINITY, limit: f32::INFINITY };
+    const ANYWHERE: CoordBounds = CoordBounds { least: f32::NEG_INFINITY, limit: f32::INFINITY };
 
     /// Index and weight of one coordinate.
-    fn linear(form: Form, s: f32, n: f32) -> (i32, u32) {
+    fn linear(form: LinearWrap, s: f32, n: f32) -> (i32, u32) {
         let (mut at, mut weight) = ([0; LANES], [0.0; LANES]);
         form.run(&[s; LANES], n, n, &mut weight, |i, index| at[i] = index);
         (at[LANES - 1], weight[LANES - 1].to_bits())
@@ -177,9 +177,11 @@ mod tests {
         let near = (-200_000..200_000).map(|i| i as f32 / 512.0).flat_map(|s| [s.next_down(), s, s.next_up()]);
         let small = (0..NEAR.to_bits()).step_by(40_009).map(f32::from_bits).flat_map(|s| [s, -s]);
         for s in near.chain(small) {
-            let range = Range { least: s, limit: s.abs() };
+            let range = CoordBounds { least: s, limit: s.abs() };
             for n in [2.0f32, 8.0, 256.0, 8192.0] {
-                let (Some(form), Some(nearest)) = (Form::new(true, range, n, n), Near::new(true, s.abs(), n)) else {
+                let (Some(form), Some(nearest)) =
+                    (LinearWrap::new(true, range, n, n), NearestWrap::new(true, s.abs(), n))
+                else {
                     continue;
                 };
                 let ((i, w), j) = both(GL_REPEAT, s, n);
@@ -189,10 +191,10 @@ mod tests {
             }
             for n in [1.0f32, 2.0, 3.0, 100.0, 8191.0, 8192.0] {
                 for range in [range, ANYWHERE] {
-                    let clamps = Near::new(false, range.limit, n).unwrap();
+                    let clamps = NearestWrap::new(false, range.limit, n).unwrap();
                     let ((i, w), j) = both(GL_CLAMP, s, n);
                     assert_eq!(clamps.index(s), j.cast_unsigned(), "{s:e} of {n}");
-                    let form = Form::new(false, range, n, n).unwrap();
+                    let form = LinearWrap::new(false, range, n, n).unwrap();
                     assert_eq!(linear(form, s, n), (i, w.to_bits()), "{s:e} of {n}");
                 }
             }
@@ -207,14 +209,24 @@ mod tests {
 
     #[test]
     fn inside_is_from_0_to_1() {
-        let inside = |least: f32, limit: f32| Range { least, limit }.inside();
+        let inside = |least: f32, limit: f32| CoordBounds { least, limit }.inside();
         assert!(inside(0.0, 1.0) && inside(0.3, 0.3));
         assert!(!inside(-f32::from_bits(1), 1.0) && !inside(0.0, 1.0f32.next_up()));
         assert!(!inside(f32::NAN, 1.0) && !inside(0.0, f32::NAN));
-        assert_eq!(Form::new(true, Range { least: 0.0, limit: 1.0 }, 3.0, 3.0), None, "N s is not exact");
-        assert_eq!(Form::new(true, Range { least: 0.0, limit: 1.0 }, 4.0, 4.0), Some(Form::Inside(3)));
-        assert_eq!(Form::new(true, Range { least: 0.0, limit: 1.5 }, 4.0, 4.0), Some(Form::Around(3)));
-        assert_eq!(Form::new(false, Range { least: 0.0, limit: 1.5 }, 4.0, 4.0), Some(Form::Limited));
-        assert_eq!(Form::new(false, Range { least: 0.0, limit: 0.5 }, 1.0, 4.0), Some(Form::Limited), "rectangles");
+        assert_eq!(LinearWrap::new(true, CoordBounds { least: 0.0, limit: 1.0 }, 3.0, 3.0), None, "N s is not exact");
+        assert_eq!(
+            LinearWrap::new(true, CoordBounds { least: 0.0, limit: 1.0 }, 4.0, 4.0),
+            Some(LinearWrap::Inside(3))
+        );
+        assert_eq!(
+            LinearWrap::new(true, CoordBounds { least: 0.0, limit: 1.5 }, 4.0, 4.0),
+            Some(LinearWrap::Around(3))
+        );
+        assert_eq!(LinearWrap::new(false, CoordBounds { least: 0.0, limit: 1.5 }, 4.0, 4.0), Some(LinearWrap::Limited));
+        assert_eq!(
+            LinearWrap::new(false, CoordBounds { least: 0.0, limit: 0.5 }, 1.0, 4.0),
+            Some(LinearWrap::Limited),
+            "rectangles"
+        );
     }
 }

@@ -18,11 +18,11 @@
 //! LINEAR rounds x - 1 instead of cutting x - 1/2: at a texel's centre the weight may be 1 of i-1 instead of 0 of i, which
 //! is the same colour.
 
-use super::bounded::{Form, Range};
+use super::bounded::{CoordBounds, LinearWrap};
 use crate::enums::*;
 use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
 use crate::simd::{Cost, LANES, Stage, stage};
-use crate::texture::batch::{TexBatch, Work};
+use crate::texture::batch::{SamplerScratch, TexBatch};
 use crate::texture::uniforms::{TexFn, UnitUniforms};
 
 /// In a stage's argument: which coordinate (0 to 2).
@@ -145,20 +145,20 @@ pub(crate) fn far_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: 
     }
 }
 
-/// REPEAT, or CLAMP and CLAMP_TO_EDGE, by the [`Form`] that the coordinates allow.
+/// REPEAT, or CLAMP and CLAMP_TO_EDGE, by the [`LinearWrap`] that the coordinates allow.
 #[inline(always)]
 fn linear_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     let c = (arg & COORDINATE).min(2) as usize;
     let pass = usize::from(arg & SECOND != 0);
-    if pass == 1 && !b.work.two_levels {
+    if pass == 1 && !b.scratch.two_levels {
         return;
     }
-    let image = b.work.same[pass].and_then(|same| u.images.get(same)).filter(|_| arg & PLAIN == 0);
+    let image = b.scratch.same[pass].and_then(|same| u.images.get(same)).filter(|_| arg & PLAIN == 0);
     let n = image.map_or(1.0, |image| image.size[c]);
     let scale = if u.unnormalised { 1.0 } else { n };
-    match Form::new(repeats, Range::of(b, c), scale, n) {
+    match LinearWrap::new(repeats, CoordBounds::of(b, c), scale, n) {
         Some(form) if image.is_some() => {
-            let Work { first, weight, .. } = &mut b.work;
+            let SamplerScratch { first, weight, .. } = &mut b.scratch;
             let first = &mut first[c];
             form.run(&b.coord[c], scale, n, &mut weight[c], |i, index| first[i] = index);
         }
@@ -178,18 +178,18 @@ fn level_size(base: f32, level: u32) -> f32 {
 fn over_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, f: impl Fn(f32, f32, f32) -> (i32, f32), merge: bool) {
     let c = (arg & COORDINATE).min(2) as usize;
     let pass = usize::from(arg & SECOND != 0);
-    let TexBatch { coord, work, .. } = b;
-    if pass == 1 && !work.two_levels {
+    let TexBatch { coord, scratch, .. } = b;
+    if pass == 1 && !scratch.two_levels {
         return;
     }
-    let (s, level, marked) = (&coord[c], &work.level[pass], &work.nearest);
-    let (first, weight) = (&mut work.first[c], &mut work.weight[c]);
+    let (s, level, marked) = (&coord[c], &scratch.level[pass], &scratch.nearest);
+    let (first, weight) = (&mut scratch.first[c], &mut scratch.weight[c]);
     let mut put = |i: usize, (at, w): (i32, f32)| {
         let keep = merge && marked[i] == 0;
         first[i] = if keep { first[i] } else { at };
         weight[i] = if keep { weight[i] } else { w };
     };
-    if let Some(image) = work.same[pass] {
+    if let Some(image) = scratch.same[pass] {
         let n = u.images.get(image).map_or(1.0, |image| image.size[c]);
         let scale = if u.unnormalised { 1.0 } else { n };
         for i in 0..LANES {
@@ -288,7 +288,7 @@ pub fn stages(wrap: GLenum) -> (&'static Stage<TexFn>, &'static Stage<TexFn>) {
     }
 }
 
-/// Whether a wrap mode is one that `Near` knows, and then whether it is REPEAT.
+/// Whether a wrap mode is one that `NearestWrap` knows, and then whether it is REPEAT.
 #[must_use]
 pub fn near(wrap: GLenum) -> Option<bool> {
     match wrap {

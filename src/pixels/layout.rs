@@ -9,7 +9,7 @@ use crate::state::pixel::PixelStore;
 
 /// The place of an image in client memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Geometry {
+pub struct ClientLayout {
     /// Groups in a row of the image.
     pub width: usize,
     /// Rows of the image.
@@ -30,15 +30,15 @@ pub struct Geometry {
     pub total: usize,
 }
 
-impl Geometry {
+impl ClientLayout {
     /// The geometry of a 1D or 2D image: skipped slices and the image height do not apply.
-    pub fn of_2d(store: &PixelStore, size: [i32; 2], pixel: PixelFormat) -> Outcome<Geometry> {
+    pub fn of_2d(store: &PixelStore, size: [i32; 2], pixel: PixelFormat) -> Outcome<ClientLayout> {
         let store = PixelStore { skip_images: 0, image_height: 0, ..*store };
-        Geometry::of_3d(&store, [size[0], size[1], 1], pixel)
+        ClientLayout::of_3d(&store, [size[0], size[1], 1], pixel)
     }
 
     /// The geometry of a 3D image.
-    pub fn of_3d(store: &PixelStore, size: [i32; 3], pixel: PixelFormat) -> Outcome<Geometry> {
+    pub fn of_3d(store: &PixelStore, size: [i32; 3], pixel: PixelFormat) -> Outcome<ClientLayout> {
         let [width, height, depth] = size.map(u64::try_from);
         let (Ok(width), Ok(height), Ok(depth)) = (width, height, depth) else {
             return Err(invalid_value(format!(
@@ -46,14 +46,14 @@ impl Geometry {
                 size[0], size[1], size[2]
             )));
         };
-        Geometry::compute(store, [width, height, depth], pixel).ok_or_else(|| {
+        ClientLayout::compute(store, [width, height, depth], pixel).ok_or_else(|| {
             invalid_operation(format!(
                 "an image of {width} x {height} x {depth} groups with these row lengths and skips is beyond memory"
             ))
         })
     }
 
-    fn compute(store: &PixelStore, [width, height, depth]: [u64; 3], pixel: PixelFormat) -> Option<Geometry> {
+    fn compute(store: &PixelStore, [width, height, depth]: [u64; 3], pixel: PixelFormat) -> Option<ClientLayout> {
         let or = |n: u32, size: u64| if n > 0 { u64::from(n) } else { size };
         let row_length = or(store.row_length, width);
         let rows = or(store.image_height, height);
@@ -80,7 +80,7 @@ impl Geometry {
                 .checked_add(row_bytes)?
         };
         let narrow = |n: u64| usize::try_from(n).ok().filter(|&n| n <= isize::MAX as usize);
-        Some(Geometry {
+        Some(ClientLayout {
             width: narrow(width)?,
             height: narrow(height)?,
             depth: narrow(depth)?,
@@ -124,12 +124,12 @@ pub fn image_bytes(
     format: GLenum,
     type_: GLenum,
 ) -> Outcome<usize> {
-    Ok(Geometry::of_3d(store, [width, height, depth], PixelFormat::new(format, type_)?)?.total)
+    Ok(ClientLayout::of_3d(store, [width, height, depth], PixelFormat::new(format, type_)?)?.total)
 }
 
 /// How many bytes of client memory a 1D or 2D image spans: as [`image_bytes`], without skipped slices and image height.
 pub fn image_bytes_2d(store: &PixelStore, width: i32, height: i32, format: GLenum, type_: GLenum) -> Outcome<usize> {
-    Ok(Geometry::of_2d(store, [width, height], PixelFormat::new(format, type_)?)?.total)
+    Ok(ClientLayout::of_2d(store, [width, height], PixelFormat::new(format, type_)?)?.total)
 }
 
 #[cfg(test)]
