@@ -17,15 +17,13 @@ mod trig;
 mod unorm;
 
 pub use bytes::{Scalar, as_bytes, as_bytes_mut};
-pub use exp_log::{exp_f32, exp2_f32, log2_f32, pow_f32};
-pub use exp_log64::{exp, exp2, ln, log2, pow};
-pub use round::{
-    MAGIC_F64, floor_f32, floor_f64_to_int, floor_to_int, fract_f32, round_f32, round_f64, round_to_int, trunc_f32,
-};
-pub use trig::{acos, asin, atan, atan2, cos, sin, sin_cos, sin_cos_deg, tan};
+pub use exp_log::{exp_f32, log2_f32, pow_f32};
+pub use exp_log64::exp2;
+pub use round::{MAGIC_F64, floor_f32, floor_f64_to_int, floor_to_int, round_f32, round_f64, round_to_int};
+pub use trig::{cos, sin, sin_cos, sin_cos_deg, tan};
 pub use unorm::{
-    div255, f32_to_snorm, f32_to_u8, f32_to_u16, f32_to_unorm, i8_to_f32, i16_to_f32, snorm_to_f32, u8_to_f32,
-    u16_to_f32, unorm_to_f32,
+    f32_to_snorm, f32_to_u8, f32_to_u16, f32_to_unorm, i8_to_f32, i16_to_f32, snorm_to_f32, u8_to_f32, u16_to_f32,
+    unorm_to_f32,
 };
 
 /// The larger of two numbers; `b` when `a` is NaN. One `maxps`.

@@ -3,8 +3,7 @@
 //! `f32::floor` is a library call at SSE2, and `f32 as i32` saturates, which costs several instructions a lane. Adding
 //! 1.5 * 2^23 instead pushes the fraction out of the mantissa: the sum is rounded to the nearest whole number by the
 //! adder, and its low bits are that number as an integer. That holds while |x| < 2^22, which texel and pixel
-//! coordinates are after they have been brought into range; `trunc_f32` and `fract_f32`, which bring them there, hold
-//! for every number.
+//! coordinates are after they have been brought into range.
 
 /// 1.5 * 2^23: a float whose unit in the last place is 1, with room on both sides.
 const MAGIC: f32 = 12_582_912.0;
@@ -18,9 +17,6 @@ pub const MAGIC_F64: f64 = 6_755_399_441_055_744.0;
 pub fn round_f64(x: f64) -> f64 {
     (x + MAGIC_F64) - MAGIC_F64
 }
-
-/// 2^23: from here on every float is a whole number.
-const WHOLE: f32 = 8_388_608.0;
 
 /// The nearest whole number, ties to even. Exact for |x| <= 2^22; beyond that within one part in 2^23 of `x`.
 /// NaN stays NaN and infinities stay infinite.
@@ -64,33 +60,6 @@ pub fn floor_f64_to_int(x: f64) -> i32 {
     n.saturating_sub(i32::from(f64::from(n) > x))
 }
 
-/// The whole part of |x| for |x| < 2^23, and something finite or NaN beyond.
-#[inline(always)]
-fn whole_below(a: f32) -> f32 {
-    let r = (a + WHOLE) - WHOLE;
-    r - if r > a { 1.0 } else { 0.0 }
-}
-
-/// `x` without its fraction. Exact for every number; NaN stays NaN, infinities infinite, the sign (also of 0) stays.
-#[inline(always)]
-#[must_use]
-pub fn trunc_f32(x: f32) -> f32 {
-    let a = x.abs();
-    let t = if a < WHOLE { whole_below(a) } else { a };
-    t.copysign(x)
-}
-
-/// The signed fraction `x - trunc_f32(x)`, in -1 < f < 1. Exact for every number; 0 for NaN and infinities, so that it
-/// is the one place where a texture coordinate that is no number becomes one.
-#[inline(always)]
-#[must_use]
-pub fn fract_f32(x: f32) -> f32 {
-    let a = x.abs();
-    let f = a - whole_below(a);
-    let f = if a < WHOLE { f } else { 0.0 };
-    f.copysign(x)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,18 +86,6 @@ mod tests {
             n += 1;
         }
         assert!(n > 40_000, "only {n} samples were in range");
-    }
-
-    #[test]
-    fn truncation_and_fraction_are_exact_everywhere() {
-        for x in samples() {
-            assert_eq!(trunc_f32(x).to_bits(), x.trunc().to_bits(), "trunc {x}");
-            let want = if x.is_finite() { x - x.trunc() } else { 0.0 };
-            assert_eq!(fract_f32(x), want, "fract {x}");
-        }
-        assert!(trunc_f32(f32::NAN).is_nan());
-        assert_eq!(fract_f32(f32::NAN), 0.0);
-        assert_eq!(fract_f32(f32::INFINITY), 0.0);
     }
 
     #[test]

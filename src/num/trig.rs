@@ -5,7 +5,7 @@
 //! series on -pi/4..pi/4.
 
 use super::exp_log64::nearest;
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 /// sqrt(3)/2.
 const HALF_SQRT_3: f64 = 0.866_025_403_784_438_6;
@@ -101,56 +101,6 @@ pub fn sin_cos_deg(degrees: f64) -> (f64, f64) {
     turned(rest, n as i64)
 }
 
-/// The angle in -pi/2..pi/2 whose tangent is `x`, within 3e-16.
-#[must_use]
-pub fn atan(x: f64) -> f64 {
-    /// The angles whose tangents are 0, 1/4, 1/2, 3/4 and 1.
-    const STEPS: [f64; 5] =
-        [0.0, 0.244_978_663_126_864_14, 0.463_647_609_000_806_1, 0.643_501_108_793_284_4, FRAC_PI_4];
-    let a = x.abs();
-    if a > 1.0 {
-        return (FRAC_PI_2 - atan(1.0 / a)).copysign(x);
-    }
-    // The difference of two angles has the tangent (a - c) / (1 + a c): at most 1/8 is left for the series.
-    let step = nearest(a * 4.0);
-    let c = step * 0.25;
-    let t = (a - c) / (1.0 + a * c);
-    let z = t * t;
-    let mut p = 0.0;
-    for k in (1..=9).rev() {
-        p = -z * (1.0 / f64::from(2 * k + 1) + p);
-    }
-    let base = STEPS.get(step as usize).copied().unwrap_or(0.0);
-    (base + (t + t * p)).copysign(x)
-}
-
-/// The angle in -pi..=pi of the point (x, y), 0 for the origin.
-#[must_use]
-pub fn atan2(y: f64, x: f64) -> f64 {
-    if x == 0.0 && y == 0.0 {
-        return 0.0;
-    }
-    let half_turn = PI.copysign(y);
-    if y.abs() <= x.abs() {
-        let angle = atan(y / x);
-        if x > 0.0 { angle } else { half_turn + angle }
-    } else {
-        half_turn * 0.5 - atan(x / y)
-    }
-}
-
-/// The angle in -pi/2..=pi/2 whose sine is `x`; NaN outside -1..=1.
-#[must_use]
-pub fn asin(x: f64) -> f64 {
-    atan2(x, ((1.0 - x) * (1.0 + x)).sqrt())
-}
-
-/// The angle in 0..=pi whose cosine is `x`; NaN outside -1..=1.
-#[must_use]
-pub fn acos(x: f64) -> f64 {
-    atan2(((1.0 - x) * (1.0 + x)).sqrt(), x)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -192,26 +142,5 @@ mod tests {
         let tangent =
             (-150..150).map(|i| f64::from(i) * 0.01).fold(0.0f64, |w, x| w.max((tan(x) / x.tan() - 1.0).abs()));
         assert!(tangent < 1e-15, "tan {tangent:e}");
-    }
-
-    #[test]
-    fn inverse_functions_are_good_to_the_last_places() {
-        let mut worst = 0.0f64;
-        for i in -20_000..=20_000 {
-            let x = f64::from(i) / 20_000.0;
-            worst = worst.max((asin(x) - x.asin()).abs()).max((acos(x) - x.acos()).abs());
-            worst = worst.max((atan(x * 50.0) - (x * 50.0).atan()).abs());
-        }
-        for i in 0..720 {
-            let (y, x) = (f64::from(i) * 0.5).to_radians().sin_cos();
-            worst = worst.max((atan2(y, x) - y.atan2(x)).abs());
-        }
-        println!("asin, acos, atan, atan2: {worst:.2e} (absolute)");
-        assert!(worst < 1e-15);
-        assert_eq!(atan2(0.0, 0.0), 0.0);
-        assert_eq!(atan2(1.0, 0.0), FRAC_PI_2);
-        assert_eq!(atan2(0.0, -1.0), PI);
-        assert_eq!(atan(f64::INFINITY), FRAC_PI_2);
-        assert!(asin(2.0).is_nan() && acos(f64::NAN).is_nan() && atan(f64::NAN).is_nan());
     }
 }

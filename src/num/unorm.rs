@@ -87,13 +87,6 @@ pub fn f32_to_snorm(v: f32, bits: u32) -> i32 {
     x.to_bits() as i32
 }
 
-/// The nearest integer to `x / 255` for 0..=65025, the product of two bytes, in integers only. (A tie cannot occur.)
-#[inline(always)]
-#[must_use]
-pub fn div255(x: u32) -> u32 {
-    (x.wrapping_add(128).wrapping_mul(257)) >> 16
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -142,12 +135,5 @@ mod tests {
         }
         assert_eq!(f32_to_u16(f32::NAN), 0);
         assert_eq!(f32_to_snorm(f32::NAN, 8), -128);
-    }
-
-    #[test]
-    fn div255_is_exact() {
-        for x in 0..=65025 {
-            assert_eq!(div255(x), (x + 127) / 255, "{x}");
-        }
     }
 }
