@@ -59,7 +59,7 @@ macro_rules! calls {
 
 /// What a command can leave behind here: current values, vertices that wait, an error.
 fn left(cx: &mut Context) -> String {
-    let batch = &cx.engine.pipe.lane.chunk.batch;
+    let batch = &cx.engine.pipe.worker.processor.batch;
     let vertices: Vec<_> = (0..batch.n).map(|i| (batch.position.map(|lanes| lanes[i]), batch.current(i))).collect();
     let (current, units) = (&cx.engine.state.current, cx.engine.q_units);
     let left = format!("{current:?} {units} {:?} {vertices:?}", cx.engine.state.lighting.materials);

@@ -62,7 +62,7 @@ impl Engine {
             return Err(invalid_operation("glEnd without a glBegin before it"));
         }
         // What is left is set up while a thread walks; after the command nobody but this one writes to the framebuffer.
-        if self.pipe.end() || self.scene.is_walking() {
+        if self.pipe.end() || self.scene.is_rasterising() {
             self.run_vertices();
         } else {
             self.draw_collected();
@@ -99,10 +99,10 @@ impl Engine {
         self.batches += 1;
         let collects = match self.config.threads {
             1 => false,
-            2 => self.scene.is_hungry() || self.scene.is_heavy() || self.pipe.has_collected(),
+            2 => self.scene.wants_setup_work() || self.scene.has_large_primitives() || self.pipe.has_collected(),
             _ => true,
         };
-        if collects && self.scene.can_be_cut() && self.pipe.collect() {
+        if collects && self.scene.can_be_split() && self.pipe.collect() {
             self.draw_collected();
         } else {
             self.run_vertices();
@@ -110,9 +110,9 @@ impl Engine {
     }
 
     fn draw_collected(&mut self) {
-        if self.scene.is_walking() {
-            if let Some(piece) = self.pipe.take_piece(&self.pieces) {
-                self.scene.set_up(piece);
+        if self.scene.is_rasterising() {
+            if let Some(job) = self.pipe.take_setup_job(&self.setup_jobs) {
+                self.scene.set_up(job);
             }
             return;
         }

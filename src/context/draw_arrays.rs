@@ -12,7 +12,7 @@ use super::pixels_arg::{ArrayData, Indices, index_size};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::vertex::Order;
+use crate::vertex::ElementOrder;
 use crate::vertex::cache::IndexList;
 
 /// Elements beyond the end of the array of positions that DrawArrays still draws, as zeros.
@@ -81,7 +81,7 @@ impl Engine {
         self.run_vertices();
         let enabled = self.client.arrays.pointers[Attribute::Vertex as usize].enabled;
         if enabled {
-            self.pipe.lane.chunk.batch.splat(&self.state.current, self.pipe.plan.needs);
+            self.pipe.worker.processor.batch.splat(&self.state.current, self.pipe.plan.needs);
         }
         enabled
     }
@@ -118,14 +118,14 @@ impl Engine {
             return Ok(());
         }
         let last = first + count.unsigned_abs() - 1;
-        let Self { pipe, lanes, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let Self { pipe, draw_workers, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, (first, last), |place| Sources::wanted(place, needs));
-        sources.defaults(&mut pipe.lane.chunk.batch);
+        sources.defaults(&mut pipe.worker.processor.batch);
         let short = sources.too_short(last);
         let (threads, passed) = (config.threads, &mut queries.passed);
-        let drawing = Drawing { pipe, lanes, scene, framebuffer, threads, passed };
-        drawing.draw(&sources, mode, Order::Range(first..first + there));
+        let drawing = Drawing { pipe, draw_workers, scene, framebuffer, threads, passed };
+        drawing.draw(&sources, mode, ElementOrder::Range(first..first + there));
         if let Some((place, there)) = short {
             self.note(format!(
                 "glDrawArrays asks for {count} elements from element {first} on, but the {} array has only {there} of \
@@ -142,15 +142,19 @@ impl Engine {
         if count == 0 || !self.start_arrays() {
             return Ok(());
         }
-        let Self { pipe, lanes, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let Self { pipe, draw_workers, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let list = index_list(&client.arrays, buffers, count, type_, indices)?;
         // Only memory of unknown length needs to know which elements are drawn.
         let range = if client.arrays.has_client_memory() { list.limits() } else { (0, u32::MAX) };
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
-        sources.defaults(&mut pipe.lane.chunk.batch);
+        sources.defaults(&mut pipe.worker.processor.batch);
         let (threads, passed) = (config.threads, &mut queries.passed);
-        Drawing { pipe, lanes, scene, framebuffer, threads, passed }.draw(&sources, mode, Order::List(list));
+        Drawing { pipe, draw_workers, scene, framebuffer, threads, passed }.draw(
+            &sources,
+            mode,
+            ElementOrder::List(list),
+        );
         Ok(())
     }
 

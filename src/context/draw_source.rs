@@ -7,15 +7,15 @@ use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::raster::Scene;
 use crate::vertex::cache::IndexList;
-use crate::vertex::draw_worker::{Lane, Parts, SourceDraw};
-use crate::vertex::pipeline::Pipe;
-use crate::vertex::{Order, Source};
+use crate::vertex::draw_worker::{DrawWorker, SourceDraw, SplitSourceDraw};
+use crate::vertex::pipeline::VertexPipeline;
+use crate::vertex::{ElementOrder, VertexSource};
 
 /// The parts of the engine that a draw works with; the rest may be where its vertices are.
 pub(crate) struct Drawing<'a> {
-    pub(crate) pipe: &'a mut Pipe,
-    /// The lanes of the second thread and those after it.
-    pub(crate) lanes: &'a mut Vec<Lane>,
+    pub(crate) pipe: &'a mut VertexPipeline,
+    /// The draw_workers of the second thread and those after it.
+    pub(crate) draw_workers: &'a mut Vec<DrawWorker>,
     pub(crate) scene: &'a mut Scene<Program>,
     pub(crate) framebuffer: &'a mut Framebuffer,
     pub(crate) threads: usize,
@@ -25,21 +25,21 @@ pub(crate) struct Drawing<'a> {
 
 impl Drawing<'_> {
     /// Draws a primitive. What its vertices have in common must be in the pipe's batch already.
-    pub(crate) fn draw<S: Source>(self, source: &S, mode: GLenum, order: Order<IndexList<'_>>) {
-        let Self { pipe, lanes, scene, framebuffer, threads, passed } = self;
+    pub(crate) fn draw<S: VertexSource>(self, source: &S, mode: GLenum, order: ElementOrder<IndexList<'_>>) {
+        let Self { pipe, draw_workers, scene, framebuffer, threads, passed } = self;
         let cut = pipe.cut();
-        let Pipe { plan, lane, .. } = pipe;
+        let VertexPipeline { plan, worker, .. } = pipe;
         let draw = SourceDraw { plan, source, mode, cut };
-        let threads = if scene.can_be_cut() { threads } else { 1 };
-        match Parts::new(draw, order, threads) {
+        let threads = if scene.can_be_split() { threads } else { 1 };
+        match SplitSourceDraw::new(draw, order, threads) {
             Ok(parts) => {
-                lanes.resize_with(threads, Lane::default);
-                for other in lanes.iter_mut() {
-                    other.prepare(plan, lane);
+                draw_workers.resize_with(threads, DrawWorker::default);
+                for other in draw_workers.iter_mut() {
+                    other.prepare(plan, worker);
                 }
-                *passed += scene.draw_pieces(framebuffer, &parts, lanes);
+                *passed += scene.draw_split(framebuffer, &parts, draw_workers);
             }
-            Err((draw, order)) => lane.draw(&draw, order, scene, |scene| {
+            Err((draw, order)) => worker.draw(&draw, order, scene, |scene| {
                 if scene.is_full() {
                     *passed += scene.make_room(framebuffer, threads);
                 }
@@ -50,9 +50,14 @@ impl Drawing<'_> {
 
 impl Engine {
     /// Draws vertices that are the engine's own. What they have in common must be in the pipe's batch already.
-    pub(super) fn draw_source<S: Source>(&mut self, source: &S, mode: GLenum, order: Order<IndexList<'_>>) {
-        let Self { pipe, lanes, scene, framebuffer, config, queries, .. } = self;
+    pub(super) fn draw_source<S: VertexSource>(
+        &mut self,
+        source: &S,
+        mode: GLenum,
+        order: ElementOrder<IndexList<'_>>,
+    ) {
+        let Self { pipe, draw_workers, scene, framebuffer, config, queries, .. } = self;
         let (threads, passed) = (config.threads, &mut queries.passed);
-        Drawing { pipe, lanes, scene, framebuffer, threads, passed }.draw(source, mode, order);
+        Drawing { pipe, draw_workers, scene, framebuffer, threads, passed }.draw(source, mode, order);
     }
 }

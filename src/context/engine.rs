@@ -18,9 +18,9 @@ use crate::raster::Scene;
 use crate::simd::Tally;
 use crate::state::pixel::PixelStores;
 use crate::state::{Dirty, State};
-use crate::vertex::draw_worker::Lane;
-use crate::vertex::pipeline::Pipe;
-use crate::vertex::setup_job::Pieces;
+use crate::vertex::draw_worker::DrawWorker;
+use crate::vertex::pipeline::VertexPipeline;
+use crate::vertex::setup_job::SetupJobPool;
 use std::sync::Arc;
 
 /// Client state: what `glPushClientAttrib` keeps (section 6.1.14).
@@ -56,11 +56,11 @@ pub(crate) struct Engine {
     /// Full batches since the last Begin.
     pub(crate) batches: usize,
     /// Vertices on their way to primitives.
-    pub(crate) pipe: Pipe,
+    pub(crate) pipe: VertexPipeline,
     /// What threads beside this one need for large draws.
-    pub(crate) lanes: Vec<Lane>,
-    /// What the thread that walks needs for pieces of a long Begin/End.
-    pub(crate) pieces: Pieces,
+    pub(crate) draw_workers: Vec<DrawWorker>,
+    /// Free list of setup jobs: what another thread needs to set up a part of a long Begin/End.
+    pub(crate) setup_jobs: SetupJobPool,
     /// Draws that wait for a flush.
     pub(crate) scene: Scene<Program>,
     /// The fragment program of the present state.
@@ -108,9 +108,9 @@ impl Engine {
             buffers: Buffers::default(),
             primitive: Primitive::default(),
             batches: 0,
-            pipe: Pipe::new(config.level, config.batch_cut),
-            lanes: Vec::new(),
-            pieces: Pieces::default(),
+            pipe: VertexPipeline::new(config.level, config.batch_cut),
+            draw_workers: Vec::new(),
+            setup_jobs: SetupJobPool::default(),
             scene: Scene::new(config.threads, config.batch_cut).at_level(config.level),
             program: None,
             drawing: false,

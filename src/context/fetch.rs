@@ -9,7 +9,7 @@ use super::pixels_arg::ArrayData;
 use crate::enums::*;
 use crate::simd::LANES;
 use crate::vertex::batch::{Lanes, VertexBatch, needs};
-use crate::vertex::{Keys, Source};
+use crate::vertex::{Keys, VertexSource};
 
 /// A number in memory.
 trait Stored: Coordinate + Component {
@@ -221,8 +221,8 @@ impl<'a> Sources<'a> {
     }
 }
 
-impl Source for Sources<'_> {
-    fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
+impl VertexSource for Sources<'_> {
+    fn positions(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         batch.n = keys.len().min(LANES);
         if let Some(s) = &self.sources[Attribute::Vertex as usize] {
             batch.w_is_one = s.size < 4;
@@ -237,7 +237,7 @@ impl Source for Sources<'_> {
         }
     }
 
-    fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
+    fn attributes(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         for (place, source) in self.sources.iter().enumerate() {
             let Some(s) = source else { continue };
             if place != Attribute::Vertex as usize

@@ -12,9 +12,9 @@ use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
 use crate::state::current::Current;
 use crate::vertex::batch::{VertexBatch, needs};
-use crate::vertex::vertex_store::Store;
+use crate::vertex::vertex_store::VertexStore;
 use crate::vertex::weld::Welded;
-use crate::vertex::{Order, triangle_list};
+use crate::vertex::{ElementOrder, triangle_list};
 
 /// Vertices from which on a pair becomes a run; shorter ones share batches with others as they are.
 const LEAST: usize = 48;
@@ -26,7 +26,7 @@ const INDEX: u32 = 1 << 31;
 pub(crate) struct Run {
     mode: GLenum,
     /// Positions and those attributes that are given within the pair.
-    vertices: Store,
+    vertices: VertexStore,
     /// The same with every vertex once, where many are equal.
     welded: Option<Welded>,
     /// Which attributes those are.
@@ -41,7 +41,7 @@ pub(crate) struct Run {
 struct Collector {
     batch: Box<VertexBatch>,
     current: Box<Current>,
-    vertices: Store,
+    vertices: VertexStore,
     /// Vertices that come at a time.
     each: usize,
     given: u32,
@@ -145,7 +145,7 @@ impl Run {
         let collector = || Collector {
             batch: VertexBatch::new(),
             current: Box::default(),
-            vertices: Store::default(),
+            vertices: VertexStore::default(),
             each: LANES,
             given: 0,
             q_units: 0,
@@ -231,9 +231,9 @@ impl Engine {
     fn draw_run(&mut self, run: &Run) {
         self.validate();
         self.run_vertices();
-        self.pipe.lane.chunk.batch.splat(&self.state.current, self.pipe.plan.needs);
+        self.pipe.worker.processor.batch.splat(&self.state.current, self.pipe.plan.needs);
         match &run.welded {
-            Some(welded) => self.draw_source(&welded.store, run.mode, Order::List(welded.list())),
+            Some(welded) => self.draw_source(&welded.store, run.mode, ElementOrder::List(welded.list())),
             None => self.draw_source(&run.vertices, run.mode, run.vertices.order()),
         }
         run.attributes(&run.last, &mut |op| self.set_current(&op));

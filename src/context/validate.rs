@@ -86,10 +86,10 @@ impl Engine {
     /// Adds what vertices and primitives went through to the tally; gives all that it holds.
     pub(crate) fn gather_counts(&mut self) -> Counters {
         let mut counters = Counters::default();
-        let mut idle = self.pieces.idle();
-        let pieces = idle.iter_mut().map(|piece| &mut piece.lane);
-        for lane in std::iter::once(&mut self.pipe.lane).chain(&mut self.lanes).chain(pieces) {
-            lane.chunk.counts.drain_into(&mut counters);
+        let mut idle = self.setup_jobs.idle();
+        let jobs = idle.iter_mut().map(|job| &mut job.worker);
+        for worker in std::iter::once(&mut self.pipe.worker).chain(&mut self.draw_workers).chain(jobs) {
+            worker.processor.counts.drain_into(&mut counters);
         }
         drop(idle);
         counters.levels_built = std::mem::take(&mut self.textures.levels_built);

@@ -3,11 +3,11 @@
 //! after the other. A pixel lies in one band, so it sees the same fragments in the same order in either case, and since a
 //! fragment depends on nothing but its primitive and its position, the result is the same to the last bit.
 
-use super::emit::{Emitter, Sink};
-use super::geometry::{Cover, Geometry, Prim};
-use super::program_trait::Shader;
+use super::emit::{Emitter, FragmentSink};
+use super::geometry::{Coverage, Prim, SceneGeometry};
+use super::program_trait::FragmentProgram;
 use super::scene::Draw;
-use super::worker_pool::{Crew, PAYS};
+use super::worker_pool::{PAYS, WorkerPool};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};
 use crate::fragment::program::ORDINARY;
@@ -18,9 +18,9 @@ use std::sync::{Arc, Mutex};
 
 /// What is to be walked.
 #[derive(Debug)]
-pub(super) struct Flush<'a, P> {
+pub(super) struct RasterPass<'a, P> {
     pub draws: &'a [Arc<Draw<P>>],
-    pub geometry: &'a Geometry,
+    pub geometry: &'a SceneGeometry,
     pub cut: usize,
     /// What emitters work at.
     pub level: Level,
@@ -42,14 +42,14 @@ pub(super) fn band_rows(width: u32, height: u32) -> u32 {
 }
 
 /// A program with all that it works on.
-struct Target<'a, 'b, P> {
+struct BandProgram<'a, 'b, P> {
     program: &'a P,
     planes: &'a [Planes],
     pool: PlanePool<'a>,
     band: &'a mut Band<'b>,
 }
 
-impl<P: Shader> Sink for Target<'_, '_, P> {
+impl<P: FragmentProgram> FragmentSink for BandProgram<'_, '_, P> {
     fn run(&mut self, batch: &mut FragmentBatch) {
         self.program.run(batch, self.planes, self.pool, self.band);
     }
@@ -64,10 +64,10 @@ impl<P: Shader> Sink for Target<'_, '_, P> {
 }
 
 /// Walks a scene over a framebuffer.
-pub(super) fn flush<P: Shader>(
-    flush: &Flush<P>,
+pub(super) fn flush<P: FragmentProgram>(
+    flush: &RasterPass<P>,
     framebuffer: &mut Framebuffer,
-    (crew, threads): (&Crew, usize),
+    (pool, threads): (&WorkerPool, usize),
     bins: &mut Vec<Vec<u32>>,
     emitters: &mut Vec<Emitter>,
 ) -> u64 {
@@ -108,7 +108,7 @@ pub(super) fn flush<P: Shader>(
             flush.walk(bin.iter().copied(), band, emitter);
         }
     };
-    crew.share(emitters.iter_mut().take(workers), work);
+    pool.share(emitters.iter_mut().take(workers), work);
     drop(queue);
     bands.iter().map(|band| band.samples).sum()
 }
@@ -123,7 +123,7 @@ fn apart<T>(bands: Vec<T>, workers: usize) -> impl Iterator<Item = T> {
 }
 
 /// Files each primitive in the bands that it touches.
-pub(super) fn file(geometry: &Geometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) {
+pub(super) fn file(geometry: &SceneGeometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) {
     bins.resize_with(bins.len().max(count), Vec::new);
     bins.iter_mut().for_each(Vec::clear);
     let shift = rows.trailing_zeros();
@@ -138,7 +138,7 @@ pub(super) fn file(geometry: &Geometry, bins: &mut Vec<Vec<u32>>, count: usize, 
     }
 }
 
-impl<P: Shader> Flush<'_, P> {
+impl<P: FragmentProgram> RasterPass<'_, P> {
     /// Whether its primitives are large, and so not many.
     fn is_large(&self) -> bool {
         self.geometry.pixels >= LARGE * self.geometry.prims.len() as u64
@@ -166,7 +166,7 @@ impl<P: Shader> Flush<'_, P> {
         to.begin(band, self.cut);
         let Some(first) = self.draws.first() else { return };
         let (planes, pool) = (&self.geometry.planes[..], self.geometry.pool.all());
-        let mut sink = Target { program: &*first.program, planes, pool, band };
+        let mut sink = BandProgram { program: &*first.program, planes, pool, band };
         let mut current = u32::MAX;
         let mut draw = first;
         for i in prims {
@@ -183,7 +183,7 @@ impl<P: Shader> Flush<'_, P> {
             }
             to.primitive(i, of.origin, of.member.is_some());
             match prim.cover {
-                Cover::Mask { x, y, bits } => Self::mask([x, y], bits, &rows, to, &mut sink),
+                Coverage::Mask { x, y, bits } => Self::mask([x, y], bits, &rows, to, &mut sink),
                 _ => self.primitive(prim, draw, &rows, to, &mut sink),
             }
         }
@@ -192,7 +192,7 @@ impl<P: Shader> Flush<'_, P> {
 
     /// Most primitives of large scenes are masks, so they have a path to themselves.
     #[inline(always)]
-    fn mask([x, y]: [i32; 2], mut bits: u64, rows: &Range<i32>, to: &mut Emitter, sink: &mut impl Sink) {
+    fn mask([x, y]: [i32; 2], mut bits: u64, rows: &Range<i32>, to: &mut Emitter, sink: &mut impl FragmentSink) {
         let mut row = y;
         if row < rows.start {
             let skip = (rows.start - row).min(8);
@@ -206,14 +206,21 @@ impl<P: Shader> Flush<'_, P> {
         to.mask(x, row, bits, sink);
     }
 
-    fn primitive(&self, prim: &Prim, draw: &Draw<P>, rows: &Range<i32>, to: &mut Emitter, sink: &mut impl Sink) {
+    fn primitive(
+        &self,
+        prim: &Prim,
+        draw: &Draw<P>,
+        rows: &Range<i32>,
+        to: &mut Emitter,
+        sink: &mut impl FragmentSink,
+    ) {
         let geometry = self.geometry;
         let rs = &draw.raster;
         let stipple = rs.polygon_stipple.as_deref();
         let cut = |y0: i32, y1: i32| y0.max(rows.start)..y1.min(rows.end);
         match prim.cover {
-            Cover::Mask { x, y, bits } => Self::mask([x, y], bits, rows, to, sink),
-            Cover::Edges(i) => {
+            Coverage::Mask { x, y, bits } => Self::mask([x, y], bits, rows, to, sink),
+            Coverage::Edges(i) => {
                 let Some(edges) = geometry.edges.get(i as usize) else { return };
                 match stipple {
                     None => {
@@ -225,7 +232,7 @@ impl<P: Shader> Flush<'_, P> {
                     }),
                 }
             }
-            Cover::Rows(i) => {
+            Coverage::Rows(i) => {
                 let Some(block) = geometry.blocks.get(i as usize) else { return };
                 match stipple {
                     None if !to.smooth => to.block([block.x, block.y], block.runs(rows), sink),
@@ -236,16 +243,16 @@ impl<P: Shader> Flush<'_, P> {
                     }),
                 }
             }
-            Cover::Line(i) => {
+            Coverage::AliasedLine(i) => {
                 let Some(line) = geometry.lines.get(i as usize) else { return };
                 line.walk(rows.clone(), rs.line_stipple, to, sink);
             }
-            Cover::Rect(rect) => {
+            Coverage::Rect(rect) => {
                 for y in cut(rect.y0, rect.y1) {
                     to.run(rect.x0, y, rect.x1 - rect.x0, 1.0, sink);
                 }
             }
-            Cover::Disc(i) => {
+            Coverage::Disc(i) => {
                 let Some(disc) = geometry.discs.get(i as usize) else { return };
                 for y in cut(disc.rect.y0, disc.rect.y1) {
                     for x in disc.rect.x0..disc.rect.x1 {
@@ -256,7 +263,7 @@ impl<P: Shader> Flush<'_, P> {
                     }
                 }
             }
-            Cover::Outline(i) => {
+            Coverage::Outline(i) => {
                 let Some(outline) = geometry.outlines.get(i as usize) else { return };
                 // Only polygons are stippled this way; a smooth line is stippled by setup, and its outline has 4 corners.
                 let pattern = stipple.filter(|_| outline.count == 3);
@@ -271,7 +278,7 @@ impl<P: Shader> Flush<'_, P> {
                     }
                 }
             }
-            Cover::Spans { first, count } => {
+            Coverage::Spans { first, count } => {
                 for span in geometry.spans(first, count) {
                     if rows.contains(&span.y) {
                         to.run(span.x, span.y, span.len, 1.0, sink);
@@ -284,10 +291,10 @@ impl<P: Shader> Flush<'_, P> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Flush, ORDINARY, PAYS, apart};
-    use crate::raster::geometry::{Cover, Geometry};
+    use super::{ORDINARY, PAYS, RasterPass, apart};
+    use crate::raster::geometry::{Coverage, SceneGeometry};
     use crate::raster::state::Rect;
-    use crate::raster::testing::Board;
+    use crate::raster::testing::TestCanvas;
     use crate::simd::Level;
     use std::slice::from_ref;
 
@@ -302,17 +309,17 @@ mod tests {
 
     #[test]
     fn threads_are_worth_more_the_more_there_is_to_do() {
-        let board = Board::new(64, 0, 1, 64, |_| {});
+        let canvas = TestCanvas::new(64, 0, 1, 64, |_| {});
         let worth = |side: i32, count: usize| {
-            let mut geometry = Geometry::default();
+            let mut geometry = SceneGeometry::default();
             for _ in 0..count {
-                let cover = Cover::Rect(Rect { x0: 0, y0: 0, x1: side, y1: side });
+                let cover = Coverage::Rect(Rect { x0: 0, y0: 0, x1: side, y1: side });
                 geometry.file(cover, 0, Default::default(), u64::from(side.unsigned_abs().pow(2)));
             }
-            let draws = from_ref(&board.draw);
-            Flush { draws, geometry: &geometry, cut: 64, level: Level::Baseline }.worth()
+            let draws = from_ref(&canvas.draw);
+            RasterPass { draws, geometry: &geometry, cut: 64, level: Level::Baseline }.worth()
         };
-        // Pixels of the board's shader are ordinary ones. Many of a few pixels cost as much as 16 of them besides.
+        // Pixels of the canvas's shader are ordinary ones. Many of a few pixels cost as much as 16 of them besides.
         let pays = usize::try_from(PAYS / ORDINARY).expect("it is small");
         for (side, each) in [(64, 4096), (16, 256), (2, 4 + 16)] {
             let first = pays.div_ceil(each);

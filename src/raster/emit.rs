@@ -10,7 +10,7 @@ use crate::framebuffer::Band;
 use crate::simd::{BITS, LANES, Level, count, stage};
 
 /// What takes full batches.
-pub trait Sink {
+pub trait FragmentSink {
     /// Works on a batch: segments and `tex.n` are set, `coverage` where asked for.
     fn run(&mut self, batch: &mut FragmentBatch);
     /// Works on a run of a row, from its start on as far as that pays, with a batch to use for it. Returns how many pixels
@@ -32,7 +32,7 @@ const BLOCK: i32 = 16;
 /// 16 block there. What is written beyond the lanes in use is overwritten by the next ones.
 #[derive(Debug)]
 #[repr(C, align(64))]
-struct Pending {
+struct PendingLanes {
     /// Offset of the block's first pixel, and its distance from the primitive's origin.
     offset: [u32; LANES + 8],
     x: [i32; LANES + 8],
@@ -44,11 +44,11 @@ struct Pending {
 }
 
 /// Writes offsets and positions of all dense lanes of a batch.
-type SpreadFn = unsafe fn(&Pending, &mut FragmentBatch);
+type SpreadFn = unsafe fn(&PendingLanes, &mut FragmentBatch);
 
 stage! {
     /// The lanes of a batch where they are to be found.
-    fn SPREAD: SpreadFn = (p: &Pending, b: &mut FragmentBatch) {
+    fn SPREAD: SpreadFn = (p: &PendingLanes, b: &mut FragmentBatch) {
         for i in 0..LANES {
             let pixel = u32::from(p.pixel[i]);
             let (column, row) = (pixel & 15, pixel >> 4);
@@ -73,7 +73,7 @@ pub struct Emitter {
     rows_below: i32,
     /// Which pixels the batch may hold already: bit x mod 64 of word y mod 64.
     seen: [u64; 64],
-    pending: Box<Pending>,
+    pending: Box<PendingLanes>,
     /// Whether lanes are pending.
     dense: bool,
     spread: SpreadFn,
@@ -97,7 +97,7 @@ impl Emitter {
     pub fn new(level: Level) -> Self {
         const N: usize = LANES + 8;
         let pixel = [0; LANES + BLOCK as usize];
-        let pending = Pending { offset: [0; N], x: [0; N], y: [0; N], pixel, step: 0 };
+        let pending = PendingLanes { offset: [0; N], x: [0; N], y: [0; N], pixel, step: 0 };
         Self {
             pending: Box::new(pending),
             dense: false,
@@ -146,7 +146,7 @@ impl Emitter {
     }
 
     /// Hands on what there is.
-    pub fn finish(&mut self, sink: &mut impl Sink) {
+    pub fn finish(&mut self, sink: &mut impl FragmentSink) {
         if self.batch.tex.n > 0 {
             if self.dense {
                 self.pending.step = self.step;
@@ -166,7 +166,7 @@ impl Emitter {
 
     /// Appends the pixels x..x + len of a row, all of the same coverage.
     #[inline]
-    pub fn run(&mut self, x: i32, y: i32, len: i32, coverage: f32, sink: &mut impl Sink) {
+    pub fn run(&mut self, x: i32, y: i32, len: i32, coverage: f32, sink: &mut impl FragmentSink) {
         let (mut x, mut len) = (x, len);
         if len >= self.row_from && !self.grouped {
             // Pixels of the batch that the run covers come first, whether the order of a batch matters or not.
@@ -208,7 +208,7 @@ impl Emitter {
 
     /// Appends a run of a triangle, of which more may come before [`collected`](Self::collected).
     #[inline]
-    pub fn collect(&mut self, x: i32, y: i32, len: i32, sink: &mut impl Sink) {
+    pub fn collect(&mut self, x: i32, y: i32, len: i32, sink: &mut impl FragmentSink) {
         if len >= self.rows_below || self.grouped {
             return self.run(x, y, len, 1.0, sink);
         }
@@ -228,7 +228,7 @@ impl Emitter {
 
     /// The triangle's runs have come.
     #[inline]
-    pub fn collected(&mut self, sink: &mut impl Sink) {
+    pub fn collected(&mut self, sink: &mut impl FragmentSink) {
         if self.rows.segment_count > 0 && !sink.rows(&mut self.rows) {
             for i in 0..self.rows.segment_count.min(LANES) {
                 let Segment { x, y, len, .. } = self.rows.segments[i];
@@ -240,7 +240,7 @@ impl Emitter {
 
     /// Appends the pixels of a mask of 8 by 8.
     #[inline]
-    pub fn mask(&mut self, x: i32, y: i32, bits: u64, sink: &mut impl Sink) {
+    pub fn mask(&mut self, x: i32, y: i32, bits: u64, sink: &mut impl FragmentSink) {
         if self.sees(x, y, bits) && self.ordered {
             self.finish(sink);
             self.sees(x, y, bits);
@@ -356,7 +356,7 @@ impl Emitter {
 
     /// Appends runs (column, row, length) of a block of 16 by 16 pixels, counted from the pixel (x, y), without coverage.
     #[inline]
-    pub fn block(&mut self, [x, y]: [i32; 2], runs: impl Iterator<Item = [i32; 3]>, sink: &mut impl Sink) {
+    pub fn block(&mut self, [x, y]: [i32; 2], runs: impl Iterator<Item = [i32; 3]>, sink: &mut impl FragmentSink) {
         let place = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
         let offset = self.offset(x, y);
         let (mut start, mut n) = (self.batch.tex.n, self.batch.tex.n);
@@ -388,7 +388,7 @@ impl Emitter {
     }
 
     /// Appends the pixels of a row where a stipple has a bit: bit 31 belongs to the columns that 32 divides.
-    pub fn stippled(&mut self, x: i32, y: i32, len: i32, row: u32, coverage: f32, sink: &mut impl Sink) {
+    pub fn stippled(&mut self, x: i32, y: i32, len: i32, row: u32, coverage: f32, sink: &mut impl FragmentSink) {
         let mut at = x;
         let end = x + len;
         while at < end {

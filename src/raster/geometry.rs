@@ -3,18 +3,18 @@
 
 use super::setup::aa_coverage::Outline;
 use super::setup::coverage::Edges;
-use super::setup::line::Line;
-use super::setup::plane_pool::Pool;
-use super::setup::planes::Recipe;
+use super::setup::line::AliasedLine;
+use super::setup::plane_buffer::PlaneBuffer;
+use super::setup::planes::SetupPlan;
 use super::setup::point::Disc;
 use super::state::Rect;
-use super::triangle_batch::Group;
-use super::triangle_batch::rows::Rows;
+use super::triangle_batch::TriangleBatch;
+use super::triangle_batch::rows::RowCoverage;
 use crate::fragment::planes::{Linear, Planes};
 
 /// Which pixels a primitive covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cover {
+pub enum Coverage {
     /// A small triangle: bit (8 row + column) of `bits` says whether pixel (x + column, y + row) is covered.
     Mask {
         /// Leftmost column.
@@ -24,19 +24,19 @@ pub enum Cover {
         /// Covered pixels; clipped and stippled.
         bits: u64,
     },
-    /// A triangle by its edges: an index of [`Geometry::edges`].
+    /// A triangle by its edges: an index of [`SceneGeometry::edges`].
     Edges(u32),
-    /// A triangle of at most 16 by 16 pixels by its rows: an index of [`Geometry::blocks`].
+    /// A triangle of at most 16 by 16 pixels by its rows: an index of [`SceneGeometry::blocks`].
     Rows(u32),
-    /// An aliased line: an index of [`Geometry::lines`].
-    Line(u32),
+    /// An aliased line: an index of [`SceneGeometry::lines`].
+    AliasedLine(u32),
     /// Pixels of a rectangle, all of them (an aliased point).
     Rect(Rect),
-    /// A smooth point: an index of [`Geometry::discs`].
+    /// A smooth point: an index of [`SceneGeometry::discs`].
     Disc(u32),
-    /// A smooth line or polygon: an index of [`Geometry::outlines`].
+    /// A smooth line or polygon: an index of [`SceneGeometry::outlines`].
     Outline(u32),
-    /// Row runs: an index of [`Geometry::spans`] and their number.
+    /// Row runs: an index of [`SceneGeometry::spans`] and their number.
     Spans {
         /// First run.
         first: u32,
@@ -60,28 +60,28 @@ pub struct Span {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prim {
     /// Which pixels.
-    pub cover: Cover,
+    pub cover: Coverage,
     /// Index of the draw.
     pub draw: u32,
 }
 
 /// All primitives of a scene.
 #[derive(Clone, Debug, Default)]
-pub struct Geometry {
+pub struct SceneGeometry {
     /// Primitives in issue order.
     pub prims: Vec<Prim>,
     /// Their planes.
     pub planes: Vec<Planes>,
     /// The planes of their slots.
-    pub pool: Pool,
+    pub pool: PlaneBuffer,
     /// Small triangles that are not yet among the primitives.
-    pub(super) group: Box<Group>,
+    pub(super) group: Box<TriangleBatch>,
     /// Triangles that are not small.
     pub edges: Vec<Edges>,
     /// Triangles between those two.
-    pub blocks: Vec<Rows>,
+    pub blocks: Vec<RowCoverage>,
     /// Aliased lines.
-    pub lines: Vec<Line>,
+    pub lines: Vec<AliasedLine>,
     /// Smooth points.
     pub discs: Vec<Disc>,
     /// Smooth lines and polygons.
@@ -97,7 +97,7 @@ pub(super) fn index(len: usize) -> u32 {
     u32::try_from(len).unwrap_or(u32::MAX)
 }
 
-impl Geometry {
+impl SceneGeometry {
     /// Whether nothing has been drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -137,7 +137,7 @@ impl Geometry {
 
     /// Files a primitive whose planes have been made.
     #[inline]
-    pub(super) fn file(&mut self, cover: Cover, draw: u32, planes: Planes, pixels: u64) {
+    pub(super) fn file(&mut self, cover: Coverage, draw: u32, planes: Planes, pixels: u64) {
         self.prims.push(Prim { cover, draw });
         self.planes.push(planes);
         self.pixels += pixels;
@@ -149,14 +149,14 @@ impl Geometry {
         let sides = |rect: &Rect| [rect.x1 - rect.x0, rect.y1 - rect.y0].map(|side| side.max(0).unsigned_abs().into());
         let area = |rect: &Rect| sides(rect).iter().product::<u64>();
         match prim.cover {
-            Cover::Mask { bits, .. } => bits.count_ones().into(),
-            Cover::Edges(i) => self.edges.get(i as usize).map_or(0, |edges| area(&edges.rect) / 2),
-            Cover::Rows(_) => 128,
-            Cover::Line(i) => self.lines.get(i as usize).map_or(0, |line| sides(&line.rect).iter().sum()),
-            Cover::Rect(rect) => area(&rect),
-            Cover::Disc(i) => self.discs.get(i as usize).map_or(0, |disc| area(&disc.rect)),
-            Cover::Outline(i) => self.outlines.get(i as usize).map_or(0, |outline| area(&outline.rect)),
-            Cover::Spans { first, count } => {
+            Coverage::Mask { bits, .. } => bits.count_ones().into(),
+            Coverage::Edges(i) => self.edges.get(i as usize).map_or(0, |edges| area(&edges.rect) / 2),
+            Coverage::Rows(_) => 128,
+            Coverage::AliasedLine(i) => self.lines.get(i as usize).map_or(0, |line| sides(&line.rect).iter().sum()),
+            Coverage::Rect(rect) => area(&rect),
+            Coverage::Disc(i) => self.discs.get(i as usize).map_or(0, |disc| area(&disc.rect)),
+            Coverage::Outline(i) => self.outlines.get(i as usize).map_or(0, |outline| area(&outline.rect)),
+            Coverage::Spans { first, count } => {
                 self.spans(first, count).iter().map(|span| u64::from(span.len.unsigned_abs())).sum()
             }
         }
@@ -167,18 +167,18 @@ impl Geometry {
     pub fn rows(&self, prim: &Prim) -> std::ops::Range<i32> {
         let of = |rect: &Rect| rect.y0..rect.y1;
         match prim.cover {
-            Cover::Mask { y, bits, .. } => {
+            Coverage::Mask { y, bits, .. } => {
                 let low = bits.trailing_zeros() as i32 / 8;
                 let high = 7 - bits.leading_zeros() as i32 / 8;
                 y + low..y + high + 1
             }
-            Cover::Edges(i) => self.edges.get(i as usize).map_or(0..0, |e| of(&e.rect)),
-            Cover::Rows(i) => self.blocks.get(i as usize).map_or(0..0, Rows::range),
-            Cover::Line(i) => self.lines.get(i as usize).map_or(0..0, |l| of(&l.rect)),
-            Cover::Rect(rect) => of(&rect),
-            Cover::Disc(i) => self.discs.get(i as usize).map_or(0..0, |d| of(&d.rect)),
-            Cover::Outline(i) => self.outlines.get(i as usize).map_or(0..0, |o| of(&o.rect)),
-            Cover::Spans { first, count } => {
+            Coverage::Edges(i) => self.edges.get(i as usize).map_or(0..0, |e| of(&e.rect)),
+            Coverage::Rows(i) => self.blocks.get(i as usize).map_or(0..0, RowCoverage::range),
+            Coverage::AliasedLine(i) => self.lines.get(i as usize).map_or(0..0, |l| of(&l.rect)),
+            Coverage::Rect(rect) => of(&rect),
+            Coverage::Disc(i) => self.discs.get(i as usize).map_or(0..0, |d| of(&d.rect)),
+            Coverage::Outline(i) => self.outlines.get(i as usize).map_or(0..0, |o| of(&o.rect)),
+            Coverage::Spans { first, count } => {
                 let spans = self.spans(first, count);
                 let low = spans.iter().map(|s| s.y).min().unwrap_or(0);
                 low..spans.iter().map(|s| s.y + 1).max().unwrap_or(0)
@@ -196,11 +196,11 @@ impl Geometry {
 
 /// What all setup functions need to know of the draw.
 #[derive(Clone, Copy, Debug)]
-pub struct Context<'a> {
+pub struct SetupContext<'a> {
     /// State of the rasteriser.
     pub rs: &'a super::RasterState,
     /// What to interpolate.
-    pub recipe: &'a Recipe,
+    pub plan: &'a SetupPlan,
     /// Index of the draw.
     pub draw: u32,
 }

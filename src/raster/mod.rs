@@ -18,12 +18,12 @@ pub mod vertex;
 mod worker_pool;
 
 pub use geometry::Span;
-pub use program_trait::Shader;
-pub use raster_thread::SetUp;
-pub use scene::{Builder, Draw, Scene};
-pub use scheduler::Pieces;
+pub use program_trait::FragmentProgram;
+pub use raster_thread::SetupFn;
+pub use scene::{Draw, PrimitiveBuilder, Scene};
+pub use scheduler::SplitDraw;
 pub use state::RasterState;
-pub use triangle_batch::corners::Corners;
+pub use triangle_batch::corners::CornerLanes;
 
 /// A processed vertex as setup reads it.
 #[derive(Clone, Copy, Debug)]

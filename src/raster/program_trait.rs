@@ -6,7 +6,7 @@ use crate::fragment::program::{ORDINARY, Program};
 use crate::framebuffer::Band;
 
 /// What a draw does with its fragments.
-pub trait Shader: Send + Sync {
+pub trait FragmentProgram: Send + Sync {
     /// What it interpolates.
     fn layout(&self) -> &Layout;
     /// Whether fragments of one pixel must be worked on in order.
@@ -43,7 +43,7 @@ pub trait Shader: Send + Sync {
     ) -> u32;
 }
 
-impl Shader for Program {
+impl FragmentProgram for Program {
     fn layout(&self) -> &Layout {
         &self.layout
     }

@@ -2,20 +2,20 @@
 //! the framebuffer until the scene is flushed (`glFlush`, `glFinish`, reading pixels, or when its memory is full), so the
 //! work of many small draws can be shared out to bands of rows and their workers.
 
-use super::binning::{self, Flush};
+use super::binning::{self, RasterPass};
 use super::emit::Emitter;
-use super::geometry::{Context, Geometry, Span};
-use super::program_trait::Shader;
-use super::raster_thread::{Empties, Kit, Load, Manner, SetUp, Walker};
-use super::scheduler::{Part, Pieces, Round};
-use super::setup::line::Segment;
-use super::setup::planes::Recipe;
-use super::setup::point::Dot;
-use super::setup::triangle::Triangle;
+use super::geometry::{SceneGeometry, SetupContext, Span};
+use super::program_trait::FragmentProgram;
+use super::raster_thread::{FramebufferLease, GeometryPool, RasterJob, RasterOptions, RasterThread, SetupFn};
+use super::scheduler::{BinnedGeometry, SplitDraw, SplitDrawRun};
+use super::setup::line::LineInput;
+use super::setup::planes::SetupPlan;
+use super::setup::point::PointInput;
+use super::setup::triangle::TriangleInput;
 use super::state::Mode;
-use super::triangle_batch::corners::Corners;
+use super::triangle_batch::corners::CornerLanes;
 use super::vertex::Vertices;
-use super::worker_pool::Crew;
+use super::worker_pool::WorkerPool;
 use super::{RasterState, VertexRef};
 use crate::framebuffer::Framebuffer;
 use crate::simd::{LANES, Level};
@@ -37,52 +37,52 @@ const SMALL: usize = 256 << 10;
 /// The same where the work is shared out: enough for all workers to be busy for some milliseconds, which is long against the
 /// start of a thread, and still within the last cache.
 const LARGE: usize = 4 << 20;
-/// Bytes of small primitives that are worth handing over to a walker: some two thousand triangles, whose walk is long
+/// Bytes of small primitives that are worth handing over to a raster thread: some two thousand triangles, whose walk is long
 /// against waking a thread. With 256 KiB the whole frame takes 9 % longer, with 1 MiB as long.
-const LOAD: usize = 512 << 10;
-/// Pixels of a primitive, on average, up to which a scene is walked in loads; with more, all threads share the walk.
+const JOB_BYTES: usize = 512 << 10;
+/// Pixels of a primitive, on average, up to which a scene is walked in jobs; with more, all threads share the walk.
 const FEW: u64 = 16;
 
 /// Draws and primitives that wait for a flush.
 #[derive(Debug)]
 pub struct Scene<P> {
     draws: Vec<Arc<Draw<P>>>,
-    geometry: Geometry,
-    recipe: Recipe,
+    geometry: SceneGeometry,
+    plan: SetupPlan,
     stipple: u32,
     cut: usize,
     bound: usize,
     bins: Vec<Vec<u32>>,
-    crew: Arc<Crew>,
+    workers: Arc<WorkerPool>,
     emitters: Vec<Emitter>,
-    parts: Vec<RwLock<Part>>,
+    binned: Vec<RwLock<BinnedGeometry>>,
     /// The thread that has the framebuffer, if one has it.
-    walker: Option<Walker<P>>,
-    empties: Empties,
-    is_hungry: bool,
-    is_heavy: bool,
+    raster_thread: Option<RasterThread<P>>,
+    free: GeometryPool,
+    wants_setup_work: bool,
+    has_large_primitives: bool,
 }
 
 /// What the primitives of a draw are set up with, and where they are kept.
 #[derive(Debug)]
-pub struct Builder<'a, P> {
+pub struct PrimitiveBuilder<'a, P> {
     draw: &'a Draw<P>,
-    cx: Context<'a>,
-    geometry: &'a mut Geometry,
+    cx: SetupContext<'a>,
+    geometry: &'a mut SceneGeometry,
     stipple: &'a mut u32,
 }
 
-impl<'a, P> Builder<'a, P> {
+impl<'a, P> PrimitiveBuilder<'a, P> {
     /// For the draw that has an index.
     #[inline]
     pub(super) fn new(
         draw: &'a Draw<P>,
         index: u32,
-        recipe: &'a Recipe,
-        geometry: &'a mut Geometry,
+        plan: &'a SetupPlan,
+        geometry: &'a mut SceneGeometry,
         stipple: &'a mut u32,
     ) -> Self {
-        Self { draw, cx: Context { rs: &draw.raster, recipe, draw: index }, geometry, stipple }
+        Self { draw, cx: SetupContext { rs: &draw.raster, plan, draw: index }, geometry, stipple }
     }
 
     /// The draw.
@@ -92,8 +92,8 @@ impl<'a, P> Builder<'a, P> {
     }
 
     /// Files the small triangles that wait.
-    pub(super) fn settle(&mut self) {
-        self.geometry.settle(&self.cx);
+    pub(super) fn flush_batch(&mut self) {
+        self.geometry.flush_batch(&self.cx);
     }
 
     /// Draws a triangle: three vertices in the order in which they were issued, which of them is the provoking vertex, and
@@ -107,13 +107,13 @@ impl<'a, P> Builder<'a, P> {
             1 => b.slots,
             _ => c.slots,
         };
-        self.geometry.triangle(&self.cx, &Triangle { v: [a, b, c], provoking, edges }, self.stipple);
+        self.geometry.triangle(&self.cx, &TriangleInput { v: [a, b, c], provoking, edges }, self.stipple);
     }
 
     /// Whether [`Self::triangles`] and [`Self::group`] may be called with vertices of so many slots.
     #[must_use]
     pub fn takes_many(&self, stride: usize) -> bool {
-        Geometry::takes_many(&self.cx, stride)
+        SceneGeometry::takes_many(&self.cx, stride)
     }
 
     /// Draws triangles whose corners are some of many vertices; none must need clipping.
@@ -122,29 +122,29 @@ impl<'a, P> Builder<'a, P> {
     }
 
     /// Draws so many triangles, at most a group of them, whose corners `fill` puts in place; none must need clipping.
-    pub fn group(&mut self, count: usize, fill: impl FnOnce(&mut Corners)) {
+    pub fn group(&mut self, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
         self.geometry.file_corners(&self.cx, count, fill);
     }
 
     /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a
     /// strip or loop, and at each line of `GL_LINES`.
     pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
-        self.settle();
+        self.flush_batch();
         if restart {
             *self.stipple = 0;
         }
         let provoking = slots(&v, provoking);
-        self.geometry.line(&self.cx, &Segment { v, provoking, back: false, offset: 0.0 }, self.stipple);
+        self.geometry.line(&self.cx, &LineInput { v, provoking, back: false, offset: 0.0 }, self.stipple);
     }
 
     /// Draws a point of the vertex's point size.
     pub fn point(&mut self, v: VertexRef<'_>) {
-        self.settle();
-        self.geometry.point(&self.cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 });
+        self.flush_batch();
+        self.geometry.point(&self.cx, &PointInput { v, provoking: v.slots, back: false, offset: 0.0 });
     }
 }
 
-impl<P: Shader> Draw<P> {
+impl<P: FragmentProgram> Draw<P> {
     /// Whether triangles are culled, or come to nothing, whose area in the window is positive (counter-clockwise), or is
     /// not.
     #[must_use]
@@ -162,46 +162,46 @@ fn slots<'a>(v: &[VertexRef<'a>], i: usize) -> &'a [f32] {
     v.get(i).map_or(&[], |v| v.slots)
 }
 
-impl<P: Shader> Scene<P> {
+impl<P: FragmentProgram> Scene<P> {
     /// An empty scene for a number of threads. Batches are cut after `cut` fragments; any number gives the same result.
     #[must_use]
     pub fn new(threads: usize, cut: usize) -> Self {
         Self {
             draws: Vec::new(),
-            geometry: Geometry::default(),
-            recipe: Recipe::new(Level::detect()),
+            geometry: SceneGeometry::default(),
+            plan: SetupPlan::new(Level::detect()),
             stipple: 0,
             cut: cut.clamp(1, LANES),
             bound: if threads > 1 { LARGE } else { SMALL },
             bins: Vec::new(),
-            crew: Arc::new(Crew::new(threads)),
+            workers: Arc::new(WorkerPool::new(threads)),
             emitters: Vec::new(),
-            parts: Vec::new(),
-            walker: None,
-            empties: Empties::default(),
-            is_hungry: false,
-            is_heavy: false,
+            binned: Vec::new(),
+            raster_thread: None,
+            free: GeometryPool::default(),
+            wants_setup_work: false,
+            has_large_primitives: false,
         }
     }
 
     /// The same scene, whose planes are made at a level.
     #[must_use]
     pub fn at_level(mut self, level: Level) -> Self {
-        self.recipe = Recipe::new(level);
+        self.plan = SetupPlan::new(level);
         self
     }
 
     /// From here on, until the next draw, each triangle is set up alone.
     #[cfg(test)]
     pub(super) fn group_nothing(&mut self) {
-        self.recipe.group_nothing();
+        self.plan.group_nothing();
     }
 
     /// Says what the primitives to come are drawn with. Returns the index of the draw.
     pub fn begin_draw(&mut self, draw: Arc<Draw<P>>) -> u32 {
-        self.settle();
-        self.recipe.set_draw(draw.program.layout(), &draw.raster);
-        self.is_heavy = false;
+        self.flush_batch();
+        self.plan.set_draw(draw.program.layout(), &draw.raster);
+        self.has_large_primitives = false;
         self.draws.push(draw);
         (self.draws.len() - 1) as u32
     }
@@ -209,7 +209,7 @@ impl<P: Shader> Scene<P> {
     /// Whether nothing waits and nothing is being drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.geometry.is_empty() && self.walker.is_none()
+        self.geometry.is_empty() && self.raster_thread.is_none()
     }
 
     /// Bytes that the waiting primitives take.
@@ -227,16 +227,16 @@ impl<P: Shader> Scene<P> {
 
     /// Where the primitives of the current draw go, unless nothing can come of them.
     #[must_use]
-    pub fn builder(&mut self) -> Option<Builder<'_, P>> {
+    pub fn builder(&mut self) -> Option<PrimitiveBuilder<'_, P>> {
         let draw = self.draws.last().filter(|draw| !draw.program.draws_nothing())?;
         let index = (self.draws.len() - 1) as u32;
-        Some(Builder::new(draw, index, &self.recipe, &mut self.geometry, &mut self.stipple))
+        Some(PrimitiveBuilder::new(draw, index, &self.plan, &mut self.geometry, &mut self.stipple))
     }
 
     /// Files the small triangles that wait.
-    pub(super) fn settle(&mut self) {
+    pub(super) fn flush_batch(&mut self) {
         if let Some(mut builder) = self.builder() {
-            builder.settle();
+            builder.flush_batch();
         }
     }
 
@@ -247,7 +247,7 @@ impl<P: Shader> Scene<P> {
         self.draws.last().map_or([true; 2], |draw| draw.culls())
     }
 
-    /// Draws a triangle: see [`Builder::triangle`].
+    /// Draws a triangle: see [`PrimitiveBuilder::triangle`].
     #[inline]
     pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
         if let Some(mut builder) = self.builder() {
@@ -255,7 +255,7 @@ impl<P: Shader> Scene<P> {
         }
     }
 
-    /// Draws a line: see [`Builder::line`].
+    /// Draws a line: see [`PrimitiveBuilder::line`].
     pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
         if let Some(mut builder) = self.builder() {
             builder.line(v, provoking, restart);
@@ -272,8 +272,8 @@ impl<P: Shader> Scene<P> {
     /// Draws row runs whose fragments all have the values of one vertex: a bitmap at the raster position. No pixel may be
     /// in two runs.
     pub fn spans(&mut self, v: VertexRef<'_>, runs: impl Iterator<Item = Span>) {
-        if let Some(Builder { cx, geometry, .. }) = self.builder() {
-            geometry.settle(&cx);
+        if let Some(PrimitiveBuilder { cx, geometry, .. }) = self.builder() {
+            geometry.flush_batch(&cx);
             geometry.runs(&cx, v, runs);
         }
     }
@@ -296,126 +296,133 @@ impl<P: Shader> Scene<P> {
     /// Whether pieces of the current draw may be set up apart from each other: filled triangles have nothing in common,
     /// but the stipple of lines goes on from one to the next.
     #[must_use]
-    pub fn can_be_cut(&self) -> bool {
+    pub fn can_be_split(&self) -> bool {
         self.draws.last().is_some_and(|draw| draw.raster.mode == [Mode::Fill; 2] && !draw.program.draws_nothing())
     }
 
-    /// Draws pieces of the current draw, after all that waits, with as many threads as there are of `owns`. Returns how
+    /// Draws pieces of the current draw, after all that waits, with as many threads as there are of `scratch`. Returns how
     /// many fragments passed.
-    pub fn draw_pieces<W: Pieces<P>>(&mut self, framebuffer: &mut Framebuffer, pieces: &W, owns: &mut [W::Own]) -> u64 {
-        let before = self.make_room(framebuffer, owns.len());
-        let workers = owns.len().min(pieces.count());
-        let owns = owns.get_mut(..workers).unwrap_or_default();
+    pub fn draw_split<W: SplitDraw<P>>(
+        &mut self,
+        framebuffer: &mut Framebuffer,
+        pieces: &W,
+        scratch: &mut [W::Scratch],
+    ) -> u64 {
+        let before = self.make_room(framebuffer, scratch.len());
+        let workers = scratch.len().min(pieces.count());
+        let scratch = scratch.get_mut(..workers).unwrap_or_default();
         let Some(draw) = self.draws.last() else { return before };
-        let round = Round { draw, recipe: &self.recipe, crew: &self.crew, cut: self.cut };
-        before + round.run(pieces, owns, framebuffer, &mut self.parts, &mut self.emitters)
+        let round = SplitDrawRun { draw, plan: &self.plan, workers: &self.workers, cut: self.cut };
+        before + round.run(pieces, scratch, framebuffer, &mut self.binned, &mut self.emitters)
     }
 
     /// Whether another thread has the framebuffer.
     #[must_use]
-    pub fn is_walking(&self) -> bool {
-        self.walker.is_some()
+    pub fn is_rasterising(&self) -> bool {
+        self.raster_thread.is_some()
     }
 
     /// Waits for what was [handed over](Self::hand_over): the framebuffer is back. Returns how many fragments passed.
     pub fn wait(&mut self, framebuffer: &mut Framebuffer) -> u64 {
-        let Some(walker) = self.walker.take() else { return 0 };
-        let kit = walker.wait().unwrap_or_else(|panic| resume_unwind(panic));
-        *framebuffer = kit.framebuffer;
-        (self.emitters, self.bins) = (kit.emitters, kit.bins);
-        if let Some(panic) = kit.panic {
+        let Some(raster_thread) = self.raster_thread.take() else { return 0 };
+        let lease = raster_thread.wait().unwrap_or_else(|panic| resume_unwind(panic));
+        *framebuffer = lease.framebuffer;
+        (self.emitters, self.bins) = (lease.emitters, lease.bins);
+        if let Some(panic) = lease.panic {
             resume_unwind(panic);
         }
-        kit.samples
+        lease.samples
     }
 
     fn rasterise(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
         let before = self.wait(framebuffer);
-        self.settle();
+        self.flush_batch();
         if self.geometry.is_empty() {
             return before;
         }
-        let flush = Flush { draws: &self.draws, geometry: &self.geometry, cut: self.cut, level: self.recipe.level() };
-        let samples = binning::flush(&flush, framebuffer, (&self.crew, threads), &mut self.bins, &mut self.emitters);
+        let flush =
+            RasterPass { draws: &self.draws, geometry: &self.geometry, cut: self.cut, level: self.plan.level() };
+        let samples = binning::flush(&flush, framebuffer, (&self.workers, threads), &mut self.bins, &mut self.emitters);
         self.geometry.clear();
         before + samples
     }
 }
 
-impl<P: Shader + 'static> Scene<P> {
+impl<P: FragmentProgram + 'static> Scene<P> {
     /// Hands the primitives that wait over to a thread that walks them while others are drawn, if they are many and small
     /// and the thread has little to do. From then on the framebuffer is away, until somebody [waits](Self::wait).
     pub fn hand_over(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
-        if threads < 2 || self.memory() < LOAD {
+        if threads < 2 || self.memory() < JOB_BYTES {
             return;
         }
         if self.geometry.pixels > FEW * self.geometry.prims.len() as u64 {
-            self.is_heavy = self.walker.is_none();
+            self.has_large_primitives = self.raster_thread.is_none();
             return;
         }
-        self.settle();
-        let is_first = self.walker.is_none();
+        self.flush_batch();
+        let is_first = self.raster_thread.is_none();
         if is_first {
-            self.start_walker(framebuffer, threads - 1);
+            self.start_raster_thread(framebuffer, threads - 1);
         }
-        let has_little = |scene: &Self| scene.walker.as_ref().is_some_and(|walker| walker.has() < 2);
+        let has_little =
+            |scene: &Self| scene.raster_thread.as_ref().is_some_and(|raster_thread| raster_thread.has() < 2);
         if has_little(self) {
-            drop(self.load(None));
+            drop(self.send_job(None));
             // A primitive that has come so far may end before more is collected.
-            self.is_hungry = !is_first && has_little(self);
+            self.wants_setup_work = !is_first && has_little(self);
         }
     }
 
     /// Whether the primitives of this draw, of which there are many, are so large that threads had better share their walk.
     #[must_use]
-    pub fn is_heavy(&self) -> bool {
-        self.is_heavy
+    pub fn has_large_primitives(&self) -> bool {
+        self.has_large_primitives
     }
 
     /// Whether the thread would take primitives to set up, besides what it has: it has walked faster than others set up.
     #[must_use]
-    pub fn is_hungry(&self) -> bool {
-        self.is_hungry && self.walker.is_some()
+    pub fn wants_setup_work(&self) -> bool {
+        self.wants_setup_work && self.raster_thread.is_some()
     }
 
     /// Draws primitives of the current draw: the thread that walks sets them up, if there is one, or else this one.
-    pub fn set_up(&mut self, more: SetUp<P>) {
-        self.settle();
-        self.is_hungry = false;
-        if let (Some(more), Some(mut builder)) = (self.load(Some(more)), self.builder()) {
+    pub fn set_up(&mut self, more: SetupFn<P>) {
+        self.flush_batch();
+        self.wants_setup_work = false;
+        if let (Some(more), Some(mut builder)) = (self.send_job(Some(more)), self.builder()) {
             more(&mut builder);
         }
     }
 
     /// Hands over what waits, and primitives that are to be set up, which are given back where that cannot be.
-    fn load(&mut self, more: Option<SetUp<P>>) -> Option<SetUp<P>> {
-        let Some(walker) = &self.walker else { return more };
-        let more = more.map(|more| (more, self.recipe.clone()));
-        let load = Load { draws: self.draws.clone(), geometry: take(&mut self.geometry), more };
-        match walker.hand_over(Box::new(load)) {
+    fn send_job(&mut self, more: Option<SetupFn<P>>) -> Option<SetupFn<P>> {
+        let Some(raster_thread) = &self.raster_thread else { return more };
+        let more = more.map(|more| (more, self.plan.clone()));
+        let job = RasterJob { draws: self.draws.clone(), geometry: take(&mut self.geometry), more };
+        match raster_thread.hand_over(Box::new(job)) {
             Ok(empty) => {
                 self.geometry = empty;
                 let passed = self.draws.len().saturating_sub(1);
                 self.draws.drain(..passed);
                 None
             }
-            Err(load) => {
-                self.geometry = load.geometry;
-                load.more.map(|(more, _)| more)
+            Err(job) => {
+                self.geometry = job.geometry;
+                job.more.map(|(more, _)| more)
             }
         }
     }
 
-    fn start_walker(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
+    fn start_raster_thread(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
         let (emitters, bins) = (take(&mut self.emitters), take(&mut self.bins));
-        let kit = Kit { framebuffer: framebuffer.take(), emitters, bins, samples: 0, panic: None };
-        let crew = Arc::clone(&self.crew);
-        let manner = Manner { cut: self.cut, level: self.recipe.level(), crew, threads };
-        match Walker::start(Box::new(kit), &self.empties, manner) {
-            Ok(walker) => self.walker = Some(walker),
-            Err(kit) => {
-                *framebuffer = kit.framebuffer;
-                (self.emitters, self.bins) = (kit.emitters, kit.bins);
+        let lease = FramebufferLease { framebuffer: framebuffer.take(), emitters, bins, samples: 0, panic: None };
+        let workers = Arc::clone(&self.workers);
+        let options = RasterOptions { cut: self.cut, level: self.plan.level(), workers, threads };
+        match RasterThread::start(Box::new(lease), &self.free, options) {
+            Ok(raster_thread) => self.raster_thread = Some(raster_thread),
+            Err(lease) => {
+                *framebuffer = lease.framebuffer;
+                (self.emitters, self.bins) = (lease.emitters, lease.bins);
             }
         }
     }

@@ -5,48 +5,48 @@
 //! farther, and a band is one worker's at a time. A worker would rather walk what it has set up itself, which is in its
 //! cache.
 
-use super::binning::{self, Flush};
+use super::binning::{self, RasterPass};
 use super::emit::Emitter;
-use super::geometry::Geometry;
-use super::program_trait::Shader;
-use super::scene::{Builder, Draw};
-use super::setup::planes::Recipe;
-use super::worker_pool::Crew;
+use super::geometry::SceneGeometry;
+use super::program_trait::FragmentProgram;
+use super::scene::{Draw, PrimitiveBuilder};
+use super::setup::planes::SetupPlan;
+use super::worker_pool::WorkerPool;
 use crate::framebuffer::{Band, Framebuffer};
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, RwLock};
 
 /// A draw in pieces.
-pub trait Pieces<P>: Sync {
+pub trait SplitDraw<P>: Sync {
     /// What a worker needs for itself.
-    type Own: Send;
+    type Scratch: Send;
     /// How many pieces there are.
     fn count(&self) -> usize;
     /// Sets up the primitives of a piece, whose number is less than [`count`](Self::count).
-    fn set_up(&self, piece: usize, own: &mut Self::Own, to: &mut Builder<'_, P>);
+    fn set_up(&self, piece: usize, scratch: &mut Self::Scratch, to: &mut PrimitiveBuilder<'_, P>);
 }
 
-/// Pieces under way for each worker: one that it sets up, one that waits to be walked.
+/// Parts under way for each worker: one that it sets up, one that waits to be walked.
 const EACH: usize = 2;
 
 /// What has been set up of a piece.
 #[derive(Debug, Default)]
-pub(super) struct Part {
-    geometry: Geometry,
+pub(super) struct BinnedGeometry {
+    geometry: SceneGeometry,
     bins: Vec<Vec<u32>>,
 }
 
-/// A place for a piece under way: piece p has place p modulo the number of places.
+/// A slot for a piece under way: piece p has slot p modulo the number of slots.
 #[derive(Clone, Debug, Default)]
-struct Place {
+struct Slot {
     /// Whether the piece is set up.
     ready: bool,
     /// Who did that.
     by: usize,
     /// Which bands it touches.
     touched: Vec<bool>,
-    /// Bands that have not passed it yet; 0 where the place is free.
+    /// Bands that have not passed it yet; 0 where the slot is free.
     left: usize,
 }
 
@@ -56,66 +56,66 @@ enum Task {
     /// Sets up a piece.
     SetUp(usize),
     /// Walks a band through pieces.
-    Walk(usize, Range<usize>),
+    Rasterise(usize, Range<usize>),
 }
 
 /// What has been done and what is being done.
 #[derive(Debug)]
-struct Board {
-    /// Pieces of the draw, and the next of them to be set up.
+struct Schedule {
+    /// SplitDraw of the draw, and the next of them to be set up.
     pieces: usize,
     next: usize,
-    places: Vec<Place>,
+    slots: Vec<Slot>,
     /// The piece that each band comes to next, and whether somebody walks it.
     bands: Vec<(usize, bool)>,
     /// Workers that wait.
     waiting: usize,
     /// Whether a worker has ended early.
-    broken: bool,
+    panicked: bool,
 }
 
-impl Board {
-    fn new(pieces: usize, places: usize, bands: usize) -> Self {
-        let places = vec![Place::default(); places.max(1)];
-        Self { pieces, next: 0, places, bands: vec![(0, false); bands], waiting: 0, broken: false }
+impl Schedule {
+    fn new(pieces: usize, slots: usize, bands: usize) -> Self {
+        let slots = vec![Slot::default(); slots.max(1)];
+        Self { pieces, next: 0, slots, bands: vec![(0, false); bands], waiting: 0, panicked: false }
     }
 
-    fn place(&self, piece: usize) -> &Place {
-        &self.places[piece % self.places.len()]
+    fn slot(&self, piece: usize) -> &Slot {
+        &self.slots[piece % self.slots.len()]
     }
 
     /// Whether a piece is set up and not passed by all bands.
     fn is_ready(&self, piece: usize) -> bool {
-        piece < self.next && self.place(piece).ready
+        piece < self.next && self.slot(piece).ready
     }
 
     /// Lets a band that nobody walks pass the pieces that do not touch it.
     fn pass(&mut self, band: usize) {
         let (mut piece, busy) = self.bands[band];
-        while !busy && self.is_ready(piece) && !self.place(piece).touched[band] {
+        while !busy && self.is_ready(piece) && !self.slot(piece).touched[band] {
             self.has_passed(piece);
             piece += 1;
         }
         self.bands[band].0 = piece;
     }
 
-    /// A band has passed a piece. The last one makes its place free.
+    /// A band has passed a piece. The last one makes its slot free.
     fn has_passed(&mut self, piece: usize) {
-        let at = piece % self.places.len();
-        let place = &mut self.places[at];
-        place.left -= 1;
-        place.ready = place.left > 0;
+        let at = piece % self.slots.len();
+        let slot = &mut self.slots[at];
+        slot.left -= 1;
+        slot.ready = slot.left > 0;
     }
 
     /// What a worker may do. What it has set up itself comes first, then setting up, then what others have set up.
     fn find(&self, worker: usize) -> Option<Task> {
         let open = self.bands.iter().enumerate().filter(|(_, (piece, busy))| !busy && self.is_ready(*piece));
-        let open = open.map(|(band, (piece, _))| (self.place(*piece).by != worker, *piece, band)).min();
-        let free = self.next < self.pieces && self.place(self.next).left == 0;
+        let open = open.map(|(band, (piece, _))| (self.slot(*piece).by != worker, *piece, band)).min();
+        let free = self.next < self.pieces && self.slot(self.next).left == 0;
         match open {
             Some((others, piece, band)) if !(others && free) => {
                 let until = (piece..self.next).find(|piece| !self.is_ready(*piece)).unwrap_or(self.next);
-                Some(Task::Walk(band, piece..until))
+                Some(Task::Rasterise(band, piece..until))
             }
             _ => free.then_some(Task::SetUp(self.next)),
         }
@@ -126,10 +126,10 @@ impl Board {
         match task {
             Task::SetUp(piece) => {
                 self.next = piece + 1;
-                let (at, bands) = (piece % self.places.len(), self.bands.len());
-                (self.places[at].ready, self.places[at].left) = (false, bands);
+                let (at, bands) = (piece % self.slots.len(), self.bands.len());
+                (self.slots[at].ready, self.slots[at].left) = (false, bands);
             }
-            Task::Walk(band, _) => self.bands[*band].1 = true,
+            Task::Rasterise(band, _) => self.bands[*band].1 = true,
         }
     }
 
@@ -137,15 +137,15 @@ impl Board {
     fn end(&mut self, worker: usize, task: Task, touched: impl Iterator<Item = bool>) {
         match task {
             Task::SetUp(piece) => {
-                let at = piece % self.places.len();
-                let place = &mut self.places[at];
-                (place.ready, place.by) = (true, worker);
-                place.touched.clear();
-                place.touched.extend(touched);
-                place.touched.resize(self.bands.len(), false);
+                let at = piece % self.slots.len();
+                let slot = &mut self.slots[at];
+                (slot.ready, slot.by) = (true, worker);
+                slot.touched.clear();
+                slot.touched.extend(touched);
+                slot.touched.resize(self.bands.len(), false);
                 (0..self.bands.len()).for_each(|band| self.pass(band));
             }
-            Task::Walk(band, pieces) => {
+            Task::Rasterise(band, pieces) => {
                 self.bands[band] = (pieces.end, false);
                 pieces.for_each(|piece| self.has_passed(piece));
                 self.pass(band);
@@ -155,113 +155,113 @@ impl Board {
 
     /// Whether all is done, or never will be.
     fn is_over(&self) -> bool {
-        self.broken || self.bands.iter().all(|(piece, _)| *piece >= self.pieces)
+        self.panicked || self.bands.iter().all(|(piece, _)| *piece >= self.pieces)
     }
 }
 
-/// The board on the wall, and what those who wait listen for.
-struct Office {
-    board: Mutex<Board>,
-    news: Condvar,
+/// The schedule on the wall, and what those who wait listen for.
+struct SharedSchedule {
+    schedule: Mutex<Schedule>,
+    changed: Condvar,
 }
 
-impl Office {
-    fn board(&self) -> MutexGuard<'_, Board> {
-        self.board.lock().unwrap_or_else(PoisonError::into_inner)
+impl SharedSchedule {
+    fn schedule(&self) -> MutexGuard<'_, Schedule> {
+        self.schedule.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The next task of a worker, once there is one. None where there will be none any more.
-    fn next(&self, mut board: MutexGuard<'_, Board>, worker: usize) -> Option<Task> {
+    fn next(&self, mut schedule: MutexGuard<'_, Schedule>, worker: usize) -> Option<Task> {
         loop {
-            if board.is_over() {
-                self.news.notify_all();
+            if schedule.is_over() {
+                self.changed.notify_all();
                 return None;
             }
-            if let Some(task) = board.find(worker) {
-                board.begin(&task);
-                if board.waiting > 0 && board.find(usize::MAX).is_some() {
-                    self.news.notify_one();
+            if let Some(task) = schedule.find(worker) {
+                schedule.begin(&task);
+                if schedule.waiting > 0 && schedule.find(usize::MAX).is_some() {
+                    self.changed.notify_one();
                 }
                 return Some(task);
             }
-            board.waiting += 1;
-            board = self.news.wait(board).unwrap_or_else(PoisonError::into_inner);
-            board.waiting -= 1;
+            schedule.waiting += 1;
+            schedule = self.changed.wait(schedule).unwrap_or_else(PoisonError::into_inner);
+            schedule.waiting -= 1;
         }
     }
 }
 
 /// Tells the others when a worker ends by a panic.
-struct Leaving<'a>(&'a Office);
+struct PanicGuard<'a>(&'a SharedSchedule);
 
-impl Drop for Leaving<'_> {
+impl Drop for PanicGuard<'_> {
     fn drop(&mut self) {
         if std::thread::panicking() {
-            self.0.board().broken = true;
-            self.0.news.notify_all();
+            self.0.schedule().panicked = true;
+            self.0.changed.notify_all();
         }
     }
 }
 
 /// What is drawn, and what it is drawn with.
-pub(super) struct Round<'a, P> {
+pub(super) struct SplitDrawRun<'a, P> {
     pub draw: &'a Arc<Draw<P>>,
-    pub recipe: &'a Recipe,
-    pub crew: &'a Crew,
+    pub plan: &'a SetupPlan,
+    pub workers: &'a WorkerPool,
     pub cut: usize,
 }
 
-impl<P: Shader> Round<'_, P> {
-    /// Draws all pieces, with a worker for each of `owns`. Returns how many fragments passed.
-    pub fn run<W: Pieces<P>>(
+impl<P: FragmentProgram> SplitDrawRun<'_, P> {
+    /// Draws all pieces, with a worker for each of `scratch`. Returns how many fragments passed.
+    pub fn run<W: SplitDraw<P>>(
         &self,
         pieces: &W,
-        owns: &mut [W::Own],
+        scratch: &mut [W::Scratch],
         framebuffer: &mut Framebuffer,
-        parts: &mut Vec<RwLock<Part>>,
+        binned: &mut Vec<RwLock<BinnedGeometry>>,
         emitters: &mut Vec<Emitter>,
     ) -> u64 {
-        let workers = owns.len().max(1);
+        let workers = scratch.len().max(1);
         let rows = binning::band_rows(framebuffer.width(), framebuffer.height());
         let bands: Vec<_> = framebuffer.bands(rows).into_iter().map(Mutex::new).collect();
-        let level = self.recipe.level();
+        let level = self.plan.level();
         emitters.resize_with(emitters.len().max(workers), || Emitter::new(level));
-        let places = (EACH * workers).min(pieces.count()).max(1);
-        parts.resize_with(parts.len().max(places), RwLock::default);
-        let parts = parts.get(..places).unwrap_or_default();
-        let board = Board::new(pieces.count(), places, bands.len());
-        let office = Office { board: Mutex::new(board), news: Condvar::new() };
+        let slots = (EACH * workers).min(pieces.count()).max(1);
+        binned.resize_with(binned.len().max(slots), RwLock::default);
+        let binned = binned.get(..slots).unwrap_or_default();
+        let schedule = Schedule::new(pieces.count(), slots, bands.len());
+        let shared = SharedSchedule { schedule: Mutex::new(schedule), changed: Condvar::new() };
         let number = AtomicUsize::new(0);
-        let work = |(own, emitter): (&mut W::Own, &mut Emitter)| {
-            let _leaving = Leaving(&office);
+        let work = |(scratch, emitter): (&mut W::Scratch, &mut Emitter)| {
+            let _guard = PanicGuard(&shared);
             let worker = number.fetch_add(1, Ordering::Relaxed);
-            let mut board = office.board();
-            while let Some(task) = office.next(board, worker) {
+            let mut schedule = shared.schedule();
+            while let Some(task) = shared.next(schedule, worker) {
                 match &task {
                     Task::SetUp(piece) => {
-                        let Ok(mut part) = parts[piece % places].write() else { return };
-                        self.set_up(pieces, *piece, own, &mut part, (bands.len(), rows));
-                        board = office.board();
-                        board.end(worker, task, part.bins.iter().map(|bin| !bin.is_empty()));
+                        let Ok(mut binned) = binned[piece % slots].write() else { return };
+                        self.set_up(pieces, *piece, scratch, &mut binned, (bands.len(), rows));
+                        schedule = shared.schedule();
+                        schedule.end(worker, task, binned.bins.iter().map(|bin| !bin.is_empty()));
                     }
-                    Task::Walk(number, pieces) => {
+                    Task::Rasterise(number, pieces) => {
                         let Ok(mut band) = bands[*number].lock() else { return };
                         for piece in pieces.clone() {
-                            let Ok(part) = parts[piece % places].read() else { return };
+                            let Ok(binned) = binned[piece % slots].read() else { return };
                             let draws = std::slice::from_ref(self.draw);
-                            let flush = Flush { draws, geometry: &part.geometry, cut: self.cut, level };
-                            if let Some(bin) = part.bins.get(*number).filter(|bin| !bin.is_empty()) {
+                            let flush = RasterPass { draws, geometry: &binned.geometry, cut: self.cut, level };
+                            if let Some(bin) = binned.bins.get(*number).filter(|bin| !bin.is_empty()) {
                                 flush.walk(bin.iter().copied(), &mut band, emitter);
                             }
                         }
                         drop(band);
-                        board = office.board();
-                        board.end(worker, task, std::iter::empty());
+                        schedule = shared.schedule();
+                        schedule.end(worker, task, std::iter::empty());
                     }
                 }
             }
         };
-        self.crew.share(owns.iter_mut().zip(emitters.iter_mut()), work);
+        self.workers.share(scratch.iter_mut().zip(emitters.iter_mut()), work);
         let passed = |band: &Mutex<Band<'_>>| {
             let mut band = band.lock().ok()?;
             // A draw without pieces walks over no band, but a clear that waits must not get lost.
@@ -272,49 +272,56 @@ impl<P: Shader> Round<'_, P> {
     }
 
     /// Sets up a piece and files its primitives in their bands.
-    fn set_up<W: Pieces<P>>(&self, pieces: &W, piece: usize, own: &mut W::Own, part: &mut Part, bands: (usize, u32)) {
-        part.geometry.clear();
+    fn set_up<W: SplitDraw<P>>(
+        &self,
+        pieces: &W,
+        piece: usize,
+        scratch: &mut W::Scratch,
+        binned: &mut BinnedGeometry,
+        bands: (usize, u32),
+    ) {
+        binned.geometry.clear();
         let mut stipple = 0;
-        let mut to = Builder::new(self.draw, 0, self.recipe, &mut part.geometry, &mut stipple);
-        pieces.set_up(piece, own, &mut to);
-        to.settle();
-        binning::file(&part.geometry, &mut part.bins, bands.0, bands.1);
+        let mut to = PrimitiveBuilder::new(self.draw, 0, self.plan, &mut binned.geometry, &mut stipple);
+        pieces.set_up(piece, scratch, &mut to);
+        to.flush_batch();
+        binning::file(&binned.geometry, &mut binned.bins, bands.0, bands.1);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Board, Task};
+    use super::{Schedule, Task};
     use crate::raster::testing::Random;
 
     /// Workers take and end tasks in a random order; what each band has been walked through.
     fn walked(
         random: &mut Random,
         pieces: usize,
-        places: usize,
+        slots: usize,
         workers: usize,
         touched: &[Vec<bool>],
     ) -> Vec<Vec<usize>> {
         let bands = touched.first().map_or(1, Vec::len);
-        let mut board = Board::new(pieces, places, bands);
+        let mut schedule = Schedule::new(pieces, slots, bands);
         let mut tasks: Vec<Option<Task>> = vec![None; workers];
         let mut walked = vec![Vec::new(); bands];
-        while !board.is_over() {
-            assert!(tasks.iter().any(Option::is_some) || board.find(0).is_some(), "nothing may be done");
+        while !schedule.is_over() {
+            assert!(tasks.iter().any(Option::is_some) || schedule.find(0).is_some(), "nothing may be done");
             let worker = (random.unit() * workers as f64) as usize % workers;
             match tasks[worker].take() {
                 None => {
-                    tasks[worker] = board.find(worker);
+                    tasks[worker] = schedule.find(worker);
                     if let Some(task) = &tasks[worker] {
-                        board.begin(task);
+                        schedule.begin(task);
                     }
                 }
                 Some(task) => {
-                    if let Task::Walk(band, pieces) = &task {
+                    if let Task::Rasterise(band, pieces) = &task {
                         walked[*band].extend(pieces.clone().filter(|piece| touched[*piece][*band]));
                     }
                     let piece = if let Task::SetUp(piece) = task { piece } else { 0 };
-                    board.end(worker, task, touched[piece].iter().copied());
+                    schedule.end(worker, task, touched[piece].iter().copied());
                 }
             }
         }
@@ -329,8 +336,8 @@ mod tests {
             let density = random.unit();
             let touched: Vec<Vec<bool>> =
                 (0..pieces).map(|_| (0..bands).map(|_| random.unit() < density).collect()).collect();
-            let (places, workers) = (1 + round % 5, 1 + round % 4);
-            let walked = walked(&mut random, pieces, places, workers, &touched);
+            let (slots, workers) = (1 + round % 5, 1 + round % 4);
+            let walked = walked(&mut random, pieces, slots, workers, &touched);
             for (band, walked) in walked.iter().enumerate() {
                 let want: Vec<usize> = (0..pieces).filter(|piece| touched[*piece][band]).collect();
                 assert_eq!(*walked, want, "round {round}, band {band}");

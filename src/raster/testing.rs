@@ -2,7 +2,7 @@
 //! is told to interpolate, and helpers that make vertices of window positions.
 
 use super::vertex::Vertex;
-use super::{Draw, RasterState, Scene, Shader, VertexRef};
+use super::{Draw, FragmentProgram, RasterState, Scene, VertexRef};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{Layout, Plane, PlanePool, Planes};
 use crate::framebuffer::{Band, Framebuffer, FramebufferFormat};
@@ -34,7 +34,7 @@ pub fn value(plane: &Plane, planes: &Planes, dx: f32, dy: f32) -> f32 {
     f.max(plane.min).min(plane.max)
 }
 
-impl Shader for Counter {
+impl FragmentProgram for Counter {
     fn layout(&self) -> &Layout {
         &self.layout
     }
@@ -124,15 +124,15 @@ pub fn vertex(x: f64, y: f64, z: f64, w: f64) -> Vertex {
 }
 
 /// A scene, its framebuffer and the draw that fills it.
-pub struct Board {
+pub struct TestCanvas {
     pub scene: Scene<Counter>,
     pub framebuffer: Framebuffer,
     pub draw: Arc<Draw<Counter>>,
     pub threads: usize,
 }
 
-impl Board {
-    /// A square board with changed state.
+impl TestCanvas {
+    /// A square canvas with changed state.
     pub fn new(side: u32, count: usize, threads: usize, cut: usize, change: impl FnOnce(&mut State)) -> Self {
         let layout = Layout { count, stride: count, ..Layout::default() };
         Self::with_layout(side, layout, threads, cut, change)

@@ -23,9 +23,9 @@ pub struct Vertex {
 /// Where a vertex is, as far as that decides over primitives, in one word: the outcode in the low 16 bits, then window x and
 /// y in 1/256 pixel with 24 bits each, which is enough for positions within the guard band; others mean nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Place(pub u64);
+pub struct ScreenPosition(pub u64);
 
-impl Place {
+impl ScreenPosition {
     /// The word.
     #[inline(always)]
     #[must_use]

@@ -18,7 +18,7 @@ const AWAKE: u32 = 1000;
 
 /// Threads that help the one that calls.
 #[derive(Debug)]
-pub(super) struct Crew {
+pub(super) struct WorkerPool {
     /// How many threads there are, the calling one included.
     #[cfg(feature = "pool")]
     threads: usize,
@@ -27,8 +27,8 @@ pub(super) struct Crew {
     pool: OnceLock<Option<rayon_core::ThreadPool>>,
 }
 
-impl Crew {
-    /// A crew of a number of threads, the calling one included. None of them is started yet.
+impl WorkerPool {
+    /// A workers of a number of threads, the calling one included. None of them is started yet.
     #[cfg_attr(
         not(feature = "pool"),
         expect(unused_variables, reason = "as many threads are started as there is work for")
@@ -42,19 +42,19 @@ impl Crew {
         }
     }
 
-    /// Calls `work` once with each of `owns`, the first of them on the calling thread, and waits for all. There may be
+    /// Calls `work` once with each of `items`, the first of them on the calling thread, and waits for all. There may be
     /// fewer threads than calls, so no call may wait for another that has not begun.
-    pub fn share<T: Send>(&self, mut owns: impl Iterator<Item = T>, work: impl Fn(T) + Sync) {
-        let Some(first) = owns.next() else { return };
+    pub fn share<T: Send>(&self, mut items: impl Iterator<Item = T>, work: impl Fn(T) + Sync) {
+        let Some(first) = items.next() else { return };
         let work = &work;
         #[cfg(feature = "pool")]
         if let Some(pool) = self.pool() {
             let (mut begun, ended) = (0, &AtomicUsize::new(0));
             return pool.in_place_scope(|scope| {
-                for own in owns {
+                for item in items {
                     begun += 1;
                     scope.spawn(move |_| {
-                        work(own);
+                        work(item);
                         ended.fetch_add(1, Ordering::Release);
                     });
                 }
@@ -63,8 +63,8 @@ impl Crew {
             });
         }
         std::thread::scope(|scope| {
-            for own in owns {
-                scope.spawn(move || work(own));
+            for item in items {
+                scope.spawn(move || work(item));
             }
             work(first);
         });
@@ -93,16 +93,16 @@ fn stay_awake(until: impl Fn() -> bool) {
 
 #[cfg(test)]
 mod tests {
-    use super::Crew;
+    use super::WorkerPool;
     use std::sync::Mutex;
 
     #[test]
     fn each_own_is_worked_with_once_whatever_the_number_of_threads() {
         for threads in [1, 2, 5] {
-            let crew = Crew::new(threads);
+            let workers = WorkerPool::new(threads);
             for count in [0, 1, 2, 5, 40] {
                 let done = Mutex::new(Vec::new());
-                crew.share(0..count, |own| done.lock().expect("nobody panics").push(own));
+                workers.share(0..count, |item| done.lock().expect("nobody panics").push(item));
                 let mut done = done.into_inner().expect("nobody panics");
                 done.sort_unstable();
                 assert_eq!(done, Vec::from_iter(0..count), "{threads} threads");
@@ -112,10 +112,10 @@ mod tests {
 
     #[test]
     fn a_panic_of_a_helper_reaches_the_caller_and_the_crew_goes_on() {
-        let crew = Crew::new(3);
-        let work = |own: u32| assert_ne!(own, 2, "the third one");
-        let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| crew.share(0..3, work)));
+        let workers = WorkerPool::new(3);
+        let work = |item: u32| assert_ne!(item, 2, "the third one");
+        let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| workers.share(0..3, work)));
         assert!(caught.is_err(), "the panic is lost");
-        crew.share(3..9, work);
+        workers.share(3..9, work);
     }
 }

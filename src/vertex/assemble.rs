@@ -11,14 +11,14 @@
 
 use super::Assembled;
 use super::batch::{VertexBatch, needs};
-use super::chunk::run;
 use super::clip::Clipper;
-use super::counts::Counts;
-use super::cull::{Triangles, nowhere};
+use super::counts::VertexCounts;
+use super::cull::{CullBatch, is_outside};
 use super::plan::VertexPlan;
-use super::transformed::Pool;
+use super::processor::run;
+use super::transformed::TransformedVertices;
 use crate::enums::*;
-use crate::raster::vertex::{Place, twice_area};
+use crate::raster::vertex::{ScreenPosition, twice_area};
 use crate::simd::LANES;
 
 /// Joins vertices into primitives.
@@ -34,7 +34,7 @@ pub struct Assembler {
 
 /// What a primitive is, and what its vertices mean to it.
 #[derive(Clone, Copy, Debug)]
-enum Kind {
+enum PrimitiveKind {
     /// A triangle: which corner is the provoking one, and which edges are boundaries.
     Triangle { provoking: u8, edges: [bool; 3] },
     /// A line; whether the stipple starts anew.
@@ -45,14 +45,14 @@ enum Kind {
 
 /// A primitive that can be seen: it has passed outcodes and culling, by positions alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Primitive {
+pub struct VisiblePrimitive {
     ids: [u32; 3],
-    kind: Kind,
+    kind: PrimitiveKind,
     /// Whether it must be clipped.
     clip: bool,
 }
 
-impl Primitive {
+impl VisiblePrimitive {
     /// The vertices that it uses; of points and lines some more than once.
     #[inline]
     #[must_use]
@@ -71,31 +71,37 @@ impl Primitive {
     #[inline]
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        matches!(self.kind, Kind::Triangle { .. }) && !self.clip
+        matches!(self.kind, PrimitiveKind::Triangle { .. }) && !self.clip
     }
 
     /// Hands the primitive on.
     #[inline]
-    pub fn hand_on<S: Assembled>(&self, plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper, sink: &mut S) {
+    pub fn hand_on<S: Assembled>(
+        &self,
+        plan: &VertexPlan,
+        pool: &TransformedVertices,
+        clipper: &mut Clipper,
+        sink: &mut S,
+    ) {
         let [a, b, c] = self.ids;
         match self.kind {
-            Kind::Triangle { provoking, edges } if self.clip => {
+            PrimitiveKind::Triangle { provoking, edges } if self.clip => {
                 clipper.triangle(plan, pool, self.ids, usize::from(provoking), edges, sink);
             }
-            Kind::Triangle { provoking, edges } => {
+            PrimitiveKind::Triangle { provoking, edges } => {
                 if let (Some(a), Some(b), Some(c)) = (pool.get(a), pool.get(b), pool.get(c)) {
                     sink.triangle([a, b, c], usize::from(provoking), edges);
                 }
             }
-            Kind::Line { provoking, restart } if self.clip => {
+            PrimitiveKind::Line { provoking, restart } if self.clip => {
                 clipper.line(plan, pool, [a, b], usize::from(provoking), restart, sink);
             }
-            Kind::Line { provoking, restart } => {
+            PrimitiveKind::Line { provoking, restart } => {
                 if let (Some(a), Some(b)) = (pool.get(a), pool.get(b)) {
                     sink.line([a, b], usize::from(provoking), restart);
                 }
             }
-            Kind::Point => {
+            PrimitiveKind::Point => {
                 if let Some(v) = pool.get(a) {
                     sink.point(v);
                 }
@@ -106,7 +112,7 @@ impl Primitive {
 
 /// Where the assembler collects what can be seen.
 #[derive(Debug)]
-pub struct Output<'a> {
+pub struct AssemblyOutput<'a> {
     /// The plan of the vertices.
     pub plan: &'a VertexPlan,
     /// What the sink [culls](Assembled::culls).
@@ -114,22 +120,22 @@ pub struct Output<'a> {
     /// Where stages look at triangles.
     pub batch: &'a mut VertexBatch,
     /// What can be seen.
-    pub seen: &'a mut Vec<Primitive>,
+    pub seen: &'a mut Vec<VisiblePrimitive>,
     /// What was done.
-    pub counts: &'a mut Counts,
+    pub counts: &'a mut VertexCounts,
 }
 
-impl Output<'_> {
+impl AssemblyOutput<'_> {
     /// Whether edge flags matter.
     fn edges(&self) -> bool {
         self.plan.needs & needs::EDGE != 0
     }
 
     #[inline]
-    fn triangle(&mut self, pool: &Pool, ids: [u32; 3], provoking: u8, edges: [bool; 3]) {
-        let [a, b, c] = ids.map(|id| pool.place(id));
+    fn triangle(&mut self, pool: &TransformedVertices, ids: [u32; 3], provoking: u8, edges: [bool; 3]) {
+        let [a, b, c] = ids.map(|id| pool.screen(id));
         let any = a.0 | b.0 | c.0;
-        if nowhere(a.0 & b.0 & c.0, any) {
+        if is_outside(a.0 & b.0 & c.0, any) {
             self.counts.outside += 1;
             return;
         }
@@ -142,18 +148,18 @@ impl Output<'_> {
                 return;
             }
         }
-        self.seen.push(Primitive { ids, kind: Kind::Triangle { provoking, edges }, clip });
+        self.seen.push(VisiblePrimitive { ids, kind: PrimitiveKind::Triangle { provoking, edges }, clip });
     }
 
     /// Triangles that have no vertex in common. Most draws are made of them, so they are looked at many at a time.
-    fn triangles(&mut self, pool: &Pool, triangles: &[[u32; 3]]) {
+    fn triangles(&mut self, pool: &TransformedVertices, triangles: &[[u32; 3]]) {
         let with_edges = self.edges();
-        let sight = self.plan.sight(self.culls);
+        let cull = self.plan.cull(self.culls);
         for block in triangles.chunks(LANES) {
             self.batch.triangles.n = block.len();
             pool.corners(block, &mut self.batch.triangles.corners);
-            run(self.plan, &[sight], self.batch);
-            let Triangles { mut seen, clipped, outside, culled, .. } = self.batch.triangles;
+            run(self.plan, &[cull], self.batch);
+            let CullBatch { mut seen, clipped, outside, culled, .. } = self.batch.triangles;
             self.counts.outside += u64::from(outside.count_ones());
             self.counts.culled += u64::from(culled.count_ones());
             while seen != 0 {
@@ -161,28 +167,28 @@ impl Output<'_> {
                 seen &= seen - 1;
                 let Some(&ids) = block.get(i as usize) else { break };
                 let edges = if with_edges { ids.map(|id| pool.edge(id)) } else { [true; 3] };
-                let kind = Kind::Triangle { provoking: 2, edges };
-                self.seen.push(Primitive { ids, kind, clip: clipped >> i & 1 != 0 });
+                let kind = PrimitiveKind::Triangle { provoking: 2, edges };
+                self.seen.push(VisiblePrimitive { ids, kind, clip: clipped >> i & 1 != 0 });
             }
         }
     }
 
     #[inline]
-    fn line(&mut self, pool: &Pool, [a, b]: [u32; 2], provoking: u8, restart: bool) {
-        let [p, q] = [pool.place(a), pool.place(b)];
+    fn line(&mut self, pool: &TransformedVertices, [a, b]: [u32; 2], provoking: u8, restart: bool) {
+        let [p, q] = [pool.screen(a), pool.screen(b)];
         let any = p.0 | q.0;
-        if !nowhere(p.0 & q.0, any) {
-            let kind = Kind::Line { provoking, restart };
-            self.seen.push(Primitive { ids: [a, b, b], kind, clip: Place(any).outcode() != 0 });
+        if !is_outside(p.0 & q.0, any) {
+            let kind = PrimitiveKind::Line { provoking, restart };
+            self.seen.push(VisiblePrimitive { ids: [a, b, b], kind, clip: ScreenPosition(any).outcode() != 0 });
         } else {
             self.counts.outside += 1;
         }
     }
 
     #[inline]
-    fn point(&mut self, pool: &Pool, id: u32) {
-        if pool.place(id).outcode() == 0 {
-            self.seen.push(Primitive { ids: [id; 3], kind: Kind::Point, clip: false });
+    fn point(&mut self, pool: &TransformedVertices, id: u32) {
+        if pool.screen(id).outcode() == 0 {
+            self.seen.push(VisiblePrimitive { ids: [id; 3], kind: PrimitiveKind::Point, clip: false });
         } else {
             self.counts.outside += 1;
         }
@@ -190,7 +196,7 @@ impl Output<'_> {
 
     /// A quadrilateral in the order of its outline, whose corner 3 gives the flat colour: its diagonal runs from 1 to 3.
     #[inline]
-    fn quad(&mut self, pool: &Pool, [a, b, c, d]: [u32; 4], edges: [bool; 4]) {
+    fn quad(&mut self, pool: &TransformedVertices, [a, b, c, d]: [u32; 4], edges: [bool; 4]) {
         self.triangle(pool, [a, b, d], 2, [edges[0], false, edges[3]]);
         self.triangle(pool, [b, c, d], 2, [edges[1], edges[2], false]);
     }
@@ -202,7 +208,7 @@ impl Assembler {
         *self = Self { mode, ..Self::default() };
     }
 
-    /// The ids of the vertices that must survive, to be renamed by [`Pool::keep`].
+    /// The ids of the vertices that must survive, to be renamed by [`TransformedVertices::keep`].
     pub fn held(&mut self) -> &mut [u32] {
         &mut self.hold[..self.held]
     }
@@ -233,7 +239,7 @@ impl Assembler {
     }
 
     /// Takes the next vertices of the primitive.
-    pub fn feed(&mut self, ids: &[u32], pool: &Pool, out: &mut Output<'_>) {
+    pub fn feed(&mut self, ids: &[u32], pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         let each = ids.iter().copied();
         match self.mode {
             GL_POINTS => each.for_each(|id| out.point(pool, id)),
@@ -299,7 +305,7 @@ impl Assembler {
         }
     }
 
-    fn fan(&mut self, id: u32, pool: &Pool, out: &mut Output<'_>) {
+    fn fan(&mut self, id: u32, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         if self.held < 2 {
             self.hold[self.held] = id;
             self.held += 1;
@@ -310,7 +316,7 @@ impl Assembler {
     }
 
     /// A polygon's last edge is known only at its end, so the newest vertex waits: held are first, last, newest.
-    fn polygon(&mut self, id: u32, pool: &Pool, out: &mut Output<'_>) {
+    fn polygon(&mut self, id: u32, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         if self.held < 3 {
             self.hold[self.held] = id;
             self.held += 1;
@@ -321,14 +327,14 @@ impl Assembler {
         self.count = 1;
     }
 
-    fn polygon_triangle(&mut self, pool: &Pool, out: &mut Output<'_>, last: bool) {
+    fn polygon_triangle(&mut self, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>, last: bool) {
         let [first, a, b, _] = self.hold;
         let edges = [self.count == 0 && pool.edge(first), pool.edge(a), last && pool.edge(b)];
         out.triangle(pool, [first, a, b], 0, edges);
     }
 
     /// Ends the primitive: a loop is closed, a polygon gets its last triangle, the rest is dropped.
-    pub fn end(&mut self, pool: &Pool, out: &mut Output<'_>) {
+    pub fn end(&mut self, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         match self.mode {
             // A loop of one vertex draws nothing, of two the same segment twice.
             GL_LINE_LOOP if self.count != 0 => out.line(pool, [self.hold[0], self.hold[1]], 1, false),

@@ -2,15 +2,15 @@
 //! stages work on (positions in f64, colours in f32), and one array a slot of what is handed on. Stages never write to
 //! the input arrays, so a value that is the same for all vertices of a draw is filled in once.
 
-use super::cull::Triangles;
+use super::cull::CullBatch;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
-use crate::raster::vertex::Place;
+use crate::raster::vertex::ScreenPosition;
 use crate::simd::LANES;
 pub use crate::simd::Lanes;
 use crate::state::current::Current;
 
 /// One f64 for each lane.
-pub type Wide = [f64; LANES];
+pub type F64Lanes = [f64; LANES];
 
 /// The greatest number of slots of a layout: colours, fog coordinate, coordinates of all units, back colours.
 pub const MAX_SLOTS: usize = 4 + 3 + 1 + 4 * MAX_TEXTURE_UNITS + 4 + 3;
@@ -65,23 +65,23 @@ pub struct VertexBatch {
     pub edge: [bool; LANES],
 
     /// Eye coordinates.
-    pub eye: [Wide; 4],
+    pub eye: [F64Lanes; 4],
     /// Eye coordinates divided by w.
-    pub point: [Wide; 3],
+    pub point: [F64Lanes; 3],
     /// Clip coordinates.
-    pub clip: [Wide; 4],
+    pub clip: [F64Lanes; 4],
     /// Distances to the enabled user clip planes.
-    pub user: [Wide; MAX_CLIP_PLANES],
+    pub user: [F64Lanes; MAX_CLIP_PLANES],
     /// Window coordinates.
-    pub window: [Wide; 3],
+    pub window: [F64Lanes; 3],
     /// Window x, y in 1/256 pixel and outcode.
-    pub place: [Place; LANES],
+    pub screen: [ScreenPosition; LANES],
     /// Derived point size.
     pub point_size: Lanes,
     /// Normal in eye coordinates.
     pub eye_normal: [Lanes; 3],
     /// Reflection vector in eye coordinates.
-    pub reflection: [Wide; 3],
+    pub reflection: [F64Lanes; 3],
     /// Unit vector to the viewer.
     pub to_viewer: [Lanes; 3],
     /// Unit vector to the light at hand.
@@ -95,11 +95,11 @@ pub struct VertexBatch {
     /// Sums of front and back face.
     pub faces: [FaceSums; 2],
     /// Texture coordinates of the unit at hand.
-    pub coord: [Wide; 4],
+    pub coord: [F64Lanes; 4],
     /// What is handed on, slot by slot, then four arrays for a colour that nobody wants.
     pub out: [Lanes; MAX_SLOTS + 4],
     /// Triangles of placed vertices.
-    pub triangles: Triangles,
+    pub triangles: CullBatch,
     /// How many lanes are in use.
     pub n: usize,
     /// `n` rounded up to a multiple of 16: how many lanes stages compute.
@@ -113,7 +113,7 @@ impl VertexBatch {
     #[must_use]
     pub fn new() -> Box<Self> {
         const Z: Lanes = [0.0; LANES];
-        const W: Wide = [0.0; LANES];
+        const W: F64Lanes = [0.0; LANES];
         let face = FaceSums { ambient: [Z; 3], diffuse: [Z; 3], specular: [Z; 3] };
         Box::new(Self {
             n: 0,
@@ -131,7 +131,7 @@ impl VertexBatch {
             clip: [W; 4],
             user: [W; MAX_CLIP_PLANES],
             window: [W; 3],
-            place: [Place(0); LANES],
+            screen: [ScreenPosition(0); LANES],
             point_size: Z,
             eye_normal: [Z; 3],
             reflection: [W; 3],
@@ -143,7 +143,7 @@ impl VertexBatch {
             faces: [face.clone(), face],
             coord: [W; 4],
             out: [Z; MAX_SLOTS + 4],
-            triangles: Triangles::default(),
+            triangles: CullBatch::default(),
         })
     }
 

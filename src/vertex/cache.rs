@@ -2,7 +2,7 @@
 //! indices: a chunk of the index list becomes a list of its different vertices, each once, and a list of ids that says
 //! how they are joined.
 
-use super::{Keys, List};
+use super::{ElementList, Keys};
 use std::ops::Range;
 
 /// Different vertices of a chunk.
@@ -57,7 +57,7 @@ impl<'a> IndexList<'a> {
     }
 }
 
-impl List for IndexList<'_> {
+impl ElementList for IndexList<'_> {
     fn count(self) -> usize {
         self.len()
     }
@@ -70,7 +70,7 @@ impl List for IndexList<'_> {
 
 /// Vertices of a source and how an indexed draw joins them.
 #[derive(Clone, Debug)]
-pub struct Elements<'a> {
+pub struct IndexedChunk<'a> {
     /// Ids of the pool, vertex after vertex of the primitive.
     pub ids: &'a [u32],
     /// Places in the source of the vertices that are new in the pool.
@@ -153,9 +153,9 @@ impl VertexCache {
 
     /// The chunk that was made last.
     #[must_use]
-    pub fn elements(&self) -> Elements<'_> {
+    pub fn elements(&self) -> IndexedChunk<'_> {
         let keys = if self.keys.is_empty() { Keys::Range(self.range.clone()) } else { Keys::List(&self.keys) };
-        Elements { ids: &self.ids, keys }
+        IndexedChunk { ids: &self.ids, keys }
     }
 }
 
@@ -256,7 +256,7 @@ mod tests {
         let (mut cache, mut at, mut vertices, mut ranges) = (VertexCache::default(), 0, 0, true);
         while !list.is_empty() {
             let taken = cache.next_chunk(list, held);
-            let Elements { ids, keys } = cache.elements();
+            let IndexedChunk { ids, keys } = cache.elements();
             assert!(taken > 0 && ids.len() == taken && keys.len() <= CHUNK_VERTICES as usize);
             for (id, index) in ids.iter().zip(&indices[at..]) {
                 assert_eq!(keys.get((id - held) as usize), Some(*index));

@@ -9,8 +9,8 @@
 use super::batch::MAX_SLOTS;
 use super::plan::VertexPlan;
 use super::stages::transform::{GUARD_BAND, to_window};
-use super::transformed::Pool;
-use super::uniforms::ViewportNumbers;
+use super::transformed::TransformedVertices;
+use super::uniforms::ViewportUniforms;
 use super::{Assembled, VertexRef};
 use crate::limits::MAX_CLIP_PLANES;
 use crate::raster::vertex::{Vertex, Vertices, outcode};
@@ -23,7 +23,7 @@ const MAX_CORNERS: usize = 3 + 1 + 2 + MAX_CLIP_PLANES + 8;
 
 /// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug, Default)]
-struct Corner {
+struct ClipCorner {
     clip: [f64; 4],
     user: [f64; MAX_CLIP_PLANES],
     /// Whether the edge that starts here is a boundary edge.
@@ -37,7 +37,7 @@ struct Corner {
 
 /// A plane: which distance of a corner it means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Plane {
+enum ClipPlane {
     W,
     Near,
     Far,
@@ -48,9 +48,9 @@ enum Plane {
     Guard(usize, bool),
 }
 
-impl Plane {
+impl ClipPlane {
     /// The signed distance, not negative inside.
-    fn distance(self, c: &Corner, v: &ViewportNumbers) -> f64 {
+    fn distance(self, c: &ClipCorner, v: &ViewportUniforms) -> f64 {
         let w = c.clip[3];
         match self {
             Self::W => w - LEAST_W,
@@ -65,7 +65,7 @@ impl Plane {
     }
 
     /// Puts a corner that was computed to lie on the plane exactly there.
-    fn settle(self, c: &mut Corner) {
+    fn snap_to_plane(self, c: &mut ClipCorner) {
         match self {
             Self::Near => c.clip[2] = -c.clip[3],
             Self::Far => c.clip[2] = c.clip[3],
@@ -84,7 +84,7 @@ impl Plane {
     /// Puts a corner between a and b on a side of the guard band, both coordinates anew. A corner may be 1e38 pixels away,
     /// and what is then left of the sum of two such numbers is nothing but its rounding; the line through a and b is known
     /// better: by products whose errors are known, too.
-    fn settle_guard(self, c: &mut Corner, a: &[f64; 4], b: &[f64; 4], v: &ViewportNumbers) {
+    fn snap_to_guard_band(self, c: &mut ClipCorner, a: &[f64; 4], b: &[f64; 4], v: &ViewportUniforms) {
         let Self::Guard(i, greatest) = self else { return };
         let other = 1 - i;
         let (g, h) =
@@ -120,12 +120,12 @@ fn product(a: f64, b: f64) -> (f64, f64) {
 
 /// Both weights of a point between a and b; their products' sum does not depend on the order of the two.
 #[derive(Clone, Copy)]
-struct Mix {
+struct EdgeMix {
     a: f64,
     b: f64,
 }
 
-impl Mix {
+impl EdgeMix {
     fn new(da: f64, db: f64) -> Self {
         Self { a: db / (db - da), b: da / (da - db) }
     }
@@ -139,8 +139,8 @@ impl Mix {
 /// Scratch memory of the clipper.
 #[derive(Clone, Debug, Default)]
 pub struct Clipper {
-    polygon: Vec<Corner>,
-    next: Vec<Corner>,
+    polygon: Vec<ClipCorner>,
+    next: Vec<ClipCorner>,
     /// Slots of all corners, old and new, in f64.
     arena: Vec<f64>,
     /// What is handed on.
@@ -150,7 +150,7 @@ pub struct Clipper {
 
 impl Clipper {
     /// Takes the corners of a primitive. Under flat shading every corner gets the colours of the provoking one.
-    fn load(&mut self, plan: &VertexPlan, pool: &Pool, ids: &[u32], provoking: usize, edges: &[bool]) {
+    fn load(&mut self, plan: &VertexPlan, pool: &TransformedVertices, ids: &[u32], provoking: usize, edges: &[bool]) {
         let stride = plan.layout.stride.min(MAX_SLOTS);
         self.polygon.clear();
         self.arena.clear();
@@ -160,7 +160,7 @@ impl Clipper {
             for (to, from) in user.iter_mut().zip(pool.user(id)) {
                 *to = *from;
             }
-            self.polygon.push(Corner {
+            self.polygon.push(ClipCorner {
                 clip: v.head.clip,
                 user,
                 edge,
@@ -179,14 +179,20 @@ impl Clipper {
     }
 
     /// The corner where the edge from a to b meets a plane.
-    fn cut(&mut self, plan: &VertexPlan, plane: Plane, (a, da): (&Corner, f64), (b, db): (&Corner, f64)) -> Corner {
-        let mix = Mix::new(da, db);
+    fn cut(
+        &mut self,
+        plan: &VertexPlan,
+        plane: ClipPlane,
+        (a, da): (&ClipCorner, f64),
+        (b, db): (&ClipCorner, f64),
+    ) -> ClipCorner {
+        let mix = EdgeMix::new(da, db);
         let slots = self.arena.len();
         for k in 0..plan.layout.stride.min(MAX_SLOTS) {
             let (Some(&p), Some(&q)) = (self.arena.get(a.slots + k), self.arena.get(b.slots + k)) else { break };
             self.arena.push(mix.of(p, q));
         }
-        let mut corner = Corner {
+        let mut corner = ClipCorner {
             clip: std::array::from_fn(|k| mix.of(a.clip[k], b.clip[k])),
             user: std::array::from_fn(|k| mix.of(a.user[k], b.user[k])),
             edge: true,
@@ -194,13 +200,13 @@ impl Clipper {
             slots,
             original: None,
         };
-        plane.settle(&mut corner);
-        plane.settle_guard(&mut corner, &a.clip, &b.clip, &plan.uniforms.viewport);
+        plane.snap_to_plane(&mut corner);
+        plane.snap_to_guard_band(&mut corner, &a.clip, &b.clip, &plan.uniforms.viewport);
         corner
     }
 
     /// Cuts the polygon by a plane; false where nothing is left.
-    fn cut_polygon(&mut self, plan: &VertexPlan, plane: Plane) -> bool {
+    fn cut_polygon(&mut self, plan: &VertexPlan, plane: ClipPlane) -> bool {
         let view = &plan.uniforms.viewport;
         if self.polygon.iter().all(|c| plane.distance(c, view) >= 0.0) {
             return !self.polygon.is_empty();
@@ -228,7 +234,7 @@ impl Clipper {
                 // The rest of an edge keeps its flag.
                 (false, true) if db > 0.0 => {
                     let corner = self.cut(plan, plane, (a, da), (b, db));
-                    next.push(Corner { edge: a.edge, ..corner });
+                    next.push(ClipCorner { edge: a.edge, ..corner });
                 }
                 _ => {}
             }
@@ -242,7 +248,7 @@ impl Clipper {
     pub fn triangle<S: Assembled>(
         &mut self,
         plan: &VertexPlan,
-        pool: &Pool,
+        pool: &TransformedVertices,
         ids: [u32; 3],
         provoking: usize,
         edges: [bool; 3],
@@ -276,7 +282,7 @@ impl Clipper {
     pub fn line<S: Assembled>(
         &mut self,
         plan: &VertexPlan,
-        pool: &Pool,
+        pool: &TransformedVertices,
         ids: [u32; 2],
         provoking: usize,
         restart: bool,
@@ -306,12 +312,12 @@ impl Clipper {
         }
     }
 
-    fn any_outcode(&self, pool: &Pool, ids: &[u32]) -> u32 {
+    fn any_outcode(&self, pool: &TransformedVertices, ids: &[u32]) -> u32 {
         ids.iter().filter_map(|id| pool.get(*id)).fold(0, |all, v| all | v.head.outcode)
     }
 
     /// Writes the polygon's corners as vertices; false where one of them has no place in the window.
-    fn finish(&mut self, plan: &VertexPlan, pool: &Pool) -> bool {
+    fn finish(&mut self, plan: &VertexPlan, pool: &TransformedVertices) -> bool {
         let stride = plan.layout.stride.min(MAX_SLOTS);
         self.out.clear(stride);
         self.edges.clear();
@@ -350,18 +356,18 @@ const SIDES: [(usize, bool, u32); 4] =
 
 /// The planes that a primitive with these outcode bits must be cut by, in the one order that all primitives use. Cutting
 /// makes no corner that is outside where all corners were inside, so that a plane without a bit has nothing to do.
-fn planes(any: u32, exact: bool, user_count: usize, user_bit: &[u32]) -> [Option<Plane>; MAX_CORNERS - 3] {
-    let on = |bit: u32, plane: Plane| (any & bit != 0).then_some(plane);
+fn planes(any: u32, exact: bool, user_count: usize, user_bit: &[u32]) -> [Option<ClipPlane>; MAX_CORNERS - 3] {
+    let on = |bit: u32, plane: ClipPlane| (any & bit != 0).then_some(plane);
     let mut list = [None; MAX_CORNERS - 3];
-    list[0] = on(outcode::BEHIND, Plane::W);
-    list[1] = on(outcode::NEAR, Plane::Near);
-    list[2] = on(outcode::FAR, Plane::Far);
+    list[0] = on(outcode::BEHIND, ClipPlane::W);
+    list[1] = on(outcode::NEAR, ClipPlane::Near);
+    list[2] = on(outcode::FAR, ClipPlane::Far);
     for (place, (k, bit)) in list[3..].iter_mut().zip(user_bit.iter().enumerate().take(user_count)) {
-        *place = on(*bit, Plane::User(k));
+        *place = on(*bit, ClipPlane::User(k));
     }
     for (k, (i, greatest, bit)) in SIDES.into_iter().enumerate() {
-        list[3 + MAX_CLIP_PLANES + k] = if exact { on(bit, Plane::Side(i, greatest)) } else { None };
-        list[7 + MAX_CLIP_PLANES + k] = on(outcode::GUARD | outcode::BEHIND, Plane::Guard(i, greatest));
+        list[3 + MAX_CLIP_PLANES + k] = if exact { on(bit, ClipPlane::Side(i, greatest)) } else { None };
+        list[7 + MAX_CLIP_PLANES + k] = on(outcode::GUARD | outcode::BEHIND, ClipPlane::Guard(i, greatest));
     }
     list
 }

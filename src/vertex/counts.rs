@@ -5,7 +5,7 @@ use crate::simd::Counters;
 
 /// Sums since counting began.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
+pub struct VertexCounts {
     /// Vertices whose position was transformed.
     pub placed: u64,
     /// Vertices that were lit, and whose coordinates were made.
@@ -20,7 +20,7 @@ pub struct Counts {
     pub outside: u64,
 }
 
-impl Counts {
+impl VertexCounts {
     /// Moves the sums to counters.
     pub fn drain_into(&mut self, counters: &mut Counters) {
         let Self { placed, valued, seen, clipped, culled, outside } = std::mem::take(self);

@@ -4,7 +4,7 @@
 use super::batch::VertexBatch;
 use super::plan::VertFn;
 use super::uniforms::VertexUniforms;
-use crate::raster::vertex::{Place, outcode};
+use crate::raster::vertex::{ScreenPosition, outcode};
 use crate::simd::{LANES, stage};
 
 /// In the stage's argument, beside the outcode bits that make a triangle go through the clipper: triangles whose area in the
@@ -14,9 +14,9 @@ pub const CULLS: [u32; 2] = [1 << 16, 1 << 17];
 /// Triangles of placed vertices, and what becomes of them.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub struct Triangles {
+pub struct CullBatch {
     /// Where the corners are.
-    pub corners: [[Place; LANES]; 3],
+    pub corners: [[ScreenPosition; LANES]; 3],
     /// One of the bits below for each triangle.
     fate: [u64; LANES],
     /// How many there are.
@@ -31,9 +31,9 @@ pub struct Triangles {
     pub culled: u64,
 }
 
-impl Default for Triangles {
+impl Default for CullBatch {
     fn default() -> Self {
-        let corners = [[Place(0); LANES]; 3];
+        let corners = [[ScreenPosition(0); LANES]; 3];
         Self { corners, fate: [0; LANES], n: 0, seen: 0, clipped: 0, outside: 0, culled: 0 }
     }
 }
@@ -43,9 +43,9 @@ const CLIPPED: u64 = 2;
 const OUTSIDE: u64 = 4;
 const CULLED: u64 = 8;
 
-/// Whether all corners are outside of one plane, or one is nowhere.
+/// Whether all corners are outside of one plane, or a vertex is NaN.
 #[inline(always)]
-pub fn nowhere(all: u64, any: u64) -> bool {
+pub fn is_outside(all: u64, any: u64) -> bool {
     const ANY: u64 = outcode::NAN as u64;
     const ALL: u64 = (outcode::FRUSTUM | outcode::USER_ALL) as u64;
     (all & ALL != 0) | (any & ANY != 0)
@@ -63,8 +63,8 @@ fn lanes_with(fate: &[u64; LANES], bit: u64) -> u64 {
 
 stage! {
     /// What becomes of triangles.
-    pub fn SIGHT: VertFn = (b: &mut VertexBatch, _u: &VertexUniforms, arg: u32) {
-        let Triangles { corners: [a, b, c], fate, n, seen, clipped, outside, culled } = &mut b.triangles;
+    pub fn CULL: VertFn = (b: &mut VertexBatch, _u: &VertexUniforms, arg: u32) {
+        let CullBatch { corners: [a, b, c], fate, n, seen, clipped, outside, culled } = &mut b.triangles;
         let clip_mask = u64::from(arg & 0xFFFF);
         let [positive, other] = CULLS.map(|bit| if arg & bit != 0 { CULLED } else { SEEN });
         for i in 0..n.next_multiple_of(16).min(LANES) {
@@ -75,7 +75,7 @@ stage! {
             let area = side(q, 0) * side(r, 1) - side(r, 0) * side(q, 1);
             let facing = if area > 0.0 { positive } else { other };
             let inside = if any & clip_mask != 0 { SEEN | CLIPPED } else { facing };
-            fate[i] = if nowhere(a[i].0 & b[i].0 & c[i].0, any) { OUTSIDE } else { inside };
+            fate[i] = if is_outside(a[i].0 & b[i].0 & c[i].0, any) { OUTSIDE } else { inside };
         }
         let there = if *n < LANES { (1 << *n) - 1 } else { u64::MAX };
         *seen = lanes_with(fate, SEEN) & there;

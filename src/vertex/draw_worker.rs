@@ -1,14 +1,14 @@
 //! A draw from a source of vertices (OpenGL 1.5, section 2.8): consecutive ones, or those that a list of indices names. A
-//! [`Lane`] is what one thread needs for it. A large draw is cut into [`Parts`], which lanes work on side by side: a part
+//! [`DrawWorker`] is what one thread needs for it. A large draw is cut into [`SplitSourceDraw`], which lanes work on side by side: a part
 //! of a strip begins with the two vertices that its first triangle shares with the part before, all others have no vertex
 //! in common that matters.
 
 use super::cache::{IndexList, VertexCache};
-use super::chunk::Chunk;
 use super::plan::VertexPlan;
-use super::{Assembled, Keys, List, Order, Source};
+use super::processor::VertexProcessor;
+use super::{Assembled, ElementList, ElementOrder, Keys, VertexSource};
 use crate::enums::*;
-use crate::raster::{Builder, Pieces, Shader};
+use crate::raster::{FragmentProgram, PrimitiveBuilder, SplitDraw};
 use crate::simd::LANES;
 use std::ops::Range;
 
@@ -42,42 +42,42 @@ pub struct SourceDraw<'a, S> {
 
 /// What a thread needs to draw from a source.
 #[derive(Clone, Debug, Default)]
-pub struct Lane {
+pub struct DrawWorker {
     /// Vertices and primitives under way.
-    pub chunk: Chunk,
+    pub processor: VertexProcessor,
     cache: VertexCache,
 }
 
-impl Lane {
+impl DrawWorker {
     /// Takes over from another lane what is the same for all vertices of a draw.
     pub fn prepare(&mut self, plan: &VertexPlan, like: &Self) {
-        self.chunk.pool.reset(plan);
-        self.chunk.batch.clone_from(&like.chunk.batch);
+        self.processor.pool.reset(plan);
+        self.processor.batch.clone_from(&like.processor.batch);
     }
 
     /// Draws. Every now and then `room` may make room in the sink.
-    pub fn draw<T: Assembled, S: Source>(
+    pub fn draw<T: Assembled, S: VertexSource>(
         &mut self,
         draw: &SourceDraw<'_, S>,
-        order: Order<IndexList<'_>>,
+        order: ElementOrder<IndexList<'_>>,
         sink: &mut T,
         mut room: impl FnMut(&mut T),
     ) {
         let culls = sink.culls();
-        self.chunk.begin(draw.mode);
-        self.chunk.clear();
+        self.processor.begin(draw.mode);
+        self.processor.clear();
         match order {
-            Order::Range(range) => self.range(draw, range, culls, sink, &mut room),
-            Order::List(list) => self.list(draw, list, culls, sink, &mut room),
+            ElementOrder::Range(range) => self.range(draw, range, culls, sink, &mut room),
+            ElementOrder::List(list) => self.list(draw, list, culls, sink, &mut room),
         }
-        self.chunk.end(draw.plan, culls);
-        self.chunk.hand_on(draw.plan, 0, usize::MAX, sink);
-        self.chunk.begin(0);
-        self.chunk.clear();
-        self.chunk.batch.clear();
+        self.processor.end(draw.plan, culls);
+        self.processor.hand_on(draw.plan, 0, usize::MAX, sink);
+        self.processor.begin(0);
+        self.processor.clear();
+        self.processor.batch.clear();
     }
 
-    fn range<T: Assembled, S: Source>(
+    fn range<T: Assembled, S: VertexSource>(
         &mut self,
         draw: &SourceDraw<'_, S>,
         range: Range<u32>,
@@ -85,7 +85,7 @@ impl Lane {
         sink: &mut T,
         room: &mut impl FnMut(&mut T),
     ) {
-        let Self { chunk, .. } = self;
+        let Self { processor, .. } = self;
         let block = draw.source.block(draw.mode).clamp(1, LANES) as u32;
         let cut = draw.cut.clamp(1, LANES) as u32;
         let mut at = range.start;
@@ -93,21 +93,21 @@ impl Lane {
             // Batches end where a source may have its own batches end.
             let n = cut.min(block - (at - range.start) % block).min(range.end - at);
             let keys = Keys::Range(at..at + n);
-            draw.source.places(&keys, &mut chunk.batch);
-            draw.source.values(&keys, &mut chunk.batch);
-            if !chunk.place_in_step(draw.plan, draw.mode == GL_TRIANGLES, culls, sink) {
-                let first = chunk.append();
-                chunk.feed_batch(draw.plan, culls, first);
-                chunk.value_batch(draw.plan, first);
-                chunk.hand_on(draw.plan, 0, usize::MAX, sink);
-                chunk.clear();
+            draw.source.positions(&keys, &mut processor.batch);
+            draw.source.attributes(&keys, &mut processor.batch);
+            if !processor.run_triangle_list(draw.plan, draw.mode == GL_TRIANGLES, culls, sink) {
+                let first = processor.append();
+                processor.feed_batch(draw.plan, culls, first);
+                processor.compute_varyings(draw.plan, first);
+                processor.hand_on(draw.plan, 0, usize::MAX, sink);
+                processor.clear();
             }
             room(sink);
             at += n;
         }
     }
 
-    fn list<T: Assembled, S: Source>(
+    fn list<T: Assembled, S: VertexSource>(
         &mut self,
         draw: &SourceDraw<'_, S>,
         mut list: IndexList<'_>,
@@ -115,40 +115,40 @@ impl Lane {
         sink: &mut T,
         room: &mut impl FnMut(&mut T),
     ) {
-        let Self { chunk, cache } = self;
+        let Self { processor, cache } = self;
         while !list.is_empty() {
-            let taken = cache.next_chunk(list, chunk.held());
-            chunk.elements(draw.plan, draw.source, cache.elements(), draw.cut, culls);
+            let taken = cache.next_chunk(list, processor.held());
+            processor.elements(draw.plan, draw.source, cache.elements(), draw.cut, culls);
             list = list.part(taken, usize::MAX);
             // A little at a time, so that the sink stays as small as it wants to be.
             let mut done = 0;
-            while chunk.hand_on(draw.plan, done, FEED, sink) > done {
+            while processor.hand_on(draw.plan, done, FEED, sink) > done {
                 done += FEED;
                 room(sink);
             }
-            chunk.clear();
+            processor.clear();
         }
     }
 }
 
 /// A draw in parts, for several lanes.
 #[derive(Debug)]
-pub struct Parts<'a, S> {
+pub struct SplitSourceDraw<'a, S> {
     draw: SourceDraw<'a, S>,
-    order: Order<IndexList<'a>>,
+    order: ElementOrder<IndexList<'a>>,
     /// Vertices of a part.
     each: usize,
     /// How many vertices of the next part each part has too.
     shared: usize,
 }
 
-impl<'a, S: Source> Parts<'a, S> {
+impl<'a, S: VertexSource> SplitSourceDraw<'a, S> {
     /// Cuts a draw for a number of threads, if that is possible.
     pub fn new(
         draw: SourceDraw<'a, S>,
-        order: Order<IndexList<'a>>,
+        order: ElementOrder<IndexList<'a>>,
         threads: usize,
-    ) -> Result<Self, (SourceDraw<'a, S>, Order<IndexList<'a>>)> {
+    ) -> Result<Self, (SourceDraw<'a, S>, ElementOrder<IndexList<'a>>)> {
         let shared = match draw.mode {
             GL_TRIANGLES | GL_QUADS => 0,
             GL_TRIANGLE_STRIP | GL_QUAD_STRIP => 2,
@@ -158,23 +158,23 @@ impl<'a, S: Source> Parts<'a, S> {
             return Err((draw, order));
         }
         // Many threads take smaller parts, so that what is set up at a time stays within some ten megabytes.
-        let most = if matches!(order, Order::List(_)) { MOST_INDICES } else { MOST };
+        let most = if matches!(order, ElementOrder::List(_)) { MOST_INDICES } else { MOST };
         let most = (6 * most / threads).clamp(UNIT, most);
         let each = (order.len() / (4 * threads)).max(LEAST).min(most).next_multiple_of(UNIT);
         Ok(Self { draw, order, each, shared })
     }
 }
 
-impl<S: Source, P: Shader> Pieces<P> for Parts<'_, S> {
-    type Own = Lane;
+impl<S: VertexSource, P: FragmentProgram> SplitDraw<P> for SplitSourceDraw<'_, S> {
+    type Scratch = DrawWorker;
 
     fn count(&self) -> usize {
         self.order.len().saturating_sub(self.shared).div_ceil(self.each)
     }
 
-    fn set_up(&self, piece: usize, lane: &mut Lane, to: &mut Builder<'_, P>) {
+    fn set_up(&self, piece: usize, worker: &mut DrawWorker, to: &mut PrimitiveBuilder<'_, P>) {
         let from = piece * self.each;
         let order = self.order.part(from, from + self.each + self.shared);
-        lane.draw(&self.draw, order, to, |_| {});
+        worker.draw(&self.draw, order, to, |_| {});
     }
 }

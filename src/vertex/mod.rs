@@ -3,20 +3,20 @@
 //!
 //! 64 vertices stand in a [`VertexBatch`](batch); a [`VertexPlan`] of the stages that the
 //! state needs takes them through transformation, lighting and texture coordinate generation; the results stand in a
-//! [`Pool`], where the [`Assembler`](assemble::Assembler) joins them into primitives and
+//! [`TransformedVertices`], where the [`Assembler`](assemble::Assembler) joins them into primitives and
 //! [`Clipper`] cuts those that leave the view volume. What comes out goes to an [`Assembled`]. A
-//! [`Chunk`](chunk::Chunk) leads them through all that.
+//! [`VertexProcessor`](processor::VertexProcessor) leads them through all that.
 
 pub mod assemble;
 pub mod batch;
 pub mod cache;
-pub mod chunk;
 pub mod clip;
 pub mod counts;
 pub mod cull;
 pub mod draw_worker;
 pub mod pipeline;
 pub mod plan;
+pub mod processor;
 pub mod setup_job;
 pub mod stages;
 pub mod transformed;
@@ -28,13 +28,13 @@ pub mod weld;
 use crate::enums::GLenum;
 use crate::fragment::planes::GROUP;
 pub use crate::raster::VertexRef;
-use crate::raster::{Builder, Corners, Scene, Shader};
-use assemble::Primitive;
+use crate::raster::{CornerLanes, FragmentProgram, PrimitiveBuilder, Scene};
+use assemble::VisiblePrimitive;
 use batch::VertexBatch;
 use clip::Clipper;
 use plan::VertexPlan;
 use std::ops::Range;
-use transformed::Pool;
+use transformed::TransformedVertices;
 
 /// Where assembled and clipped primitives go: the scene when something is rendered, the feedback buffer, the selection
 /// hit record.
@@ -56,10 +56,15 @@ pub trait Assembled {
         false
     }
     /// Takes so many triangles, at most a group of them, which need no clipping and whose corners `fill` puts in place.
-    fn take_group(&mut self, _count: usize, _fill: impl FnOnce(&mut Corners)) {}
+    fn take_group(&mut self, _count: usize, _fill: impl FnOnce(&mut CornerLanes)) {}
     /// Takes primitives one after the other.
-    fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper)
-    where
+    fn take(
+        &mut self,
+        primitives: &[VisiblePrimitive],
+        plan: &VertexPlan,
+        pool: &TransformedVertices,
+        clipper: &mut Clipper,
+    ) where
         Self: Sized,
     {
         for primitive in primitives {
@@ -68,7 +73,7 @@ pub trait Assembled {
     }
 }
 
-impl<P: Shader> Assembled for Scene<P> {
+impl<P: FragmentProgram> Assembled for Scene<P> {
     fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
         Scene::triangle(self, corners, provoking, edges);
     }
@@ -89,14 +94,20 @@ impl<P: Shader> Assembled for Scene<P> {
         self.builder().is_some_and(|builder| builder.takes_many(stride))
     }
 
-    fn take_group(&mut self, count: usize, fill: impl FnOnce(&mut Corners)) {
+    fn take_group(&mut self, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
         if let Some(mut builder) = self.builder() {
             builder.group(count, fill);
         }
     }
 
     /// What a scene has to know of its draw is the same for all of them.
-    fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper) {
+    fn take(
+        &mut self,
+        primitives: &[VisiblePrimitive],
+        plan: &VertexPlan,
+        pool: &TransformedVertices,
+        clipper: &mut Clipper,
+    ) {
         if !primitives.is_empty()
             && let Some(mut builder) = self.builder()
         {
@@ -105,17 +116,17 @@ impl<P: Shader> Assembled for Scene<P> {
     }
 }
 
-impl<P: Shader> Assembled for Builder<'_, P> {
+impl<P: FragmentProgram> Assembled for PrimitiveBuilder<'_, P> {
     fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
-        Builder::triangle(self, corners, provoking, edges);
+        PrimitiveBuilder::triangle(self, corners, provoking, edges);
     }
 
     fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
-        Builder::line(self, ends, provoking, restart);
+        PrimitiveBuilder::line(self, ends, provoking, restart);
     }
 
     fn point(&mut self, vertex: VertexRef<'_>) {
-        Builder::point(self, vertex);
+        PrimitiveBuilder::point(self, vertex);
     }
 
     fn culls(&self) -> [bool; 2] {
@@ -126,12 +137,18 @@ impl<P: Shader> Assembled for Builder<'_, P> {
         self.takes_many(stride)
     }
 
-    fn take_group(&mut self, count: usize, fill: impl FnOnce(&mut Corners)) {
+    fn take_group(&mut self, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
         self.group(count, fill);
     }
 
     /// Triangles that need no more than their vertices go a group at a time.
-    fn take(&mut self, primitives: &[Primitive], plan: &VertexPlan, pool: &Pool, clipper: &mut Clipper) {
+    fn take(
+        &mut self,
+        primitives: &[VisiblePrimitive],
+        plan: &VertexPlan,
+        pool: &TransformedVertices,
+        clipper: &mut Clipper,
+    ) {
         let many = self.takes_many(pool.vertices.stride);
         let mut rest = primitives;
         while let Some((first, others)) = rest.split_first() {
@@ -153,7 +170,7 @@ impl<P: Shader> Assembled for Builder<'_, P> {
 
 /// Some elements of a source in an order: all from one to another, or those of a list.
 #[derive(Clone, Debug)]
-pub enum Order<L> {
+pub enum ElementOrder<L> {
     /// One after the other.
     Range(Range<u32>),
     /// Those of a list.
@@ -161,7 +178,7 @@ pub enum Order<L> {
 }
 
 /// A list of elements, by their places in the source.
-pub trait List: Copy {
+pub trait ElementList: Copy {
     /// How many there are.
     fn count(self) -> usize;
     /// Some of them.
@@ -169,7 +186,7 @@ pub trait List: Copy {
     fn part(self, from: usize, until: usize) -> Self;
 }
 
-impl List for &[u32] {
+impl ElementList for &[u32] {
     fn count(self) -> usize {
         self.len()
     }
@@ -179,7 +196,7 @@ impl List for &[u32] {
     }
 }
 
-impl<L: List> Order<L> {
+impl<L: ElementList> ElementOrder<L> {
     /// How many there are.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -209,7 +226,7 @@ impl<L: List> Order<L> {
 }
 
 /// Some elements of a source, each of which can be asked for.
-pub type Keys<'a> = Order<&'a [u32]>;
+pub type Keys<'a> = ElementOrder<&'a [u32]>;
 
 impl Keys<'_> {
     /// The element at some place.
@@ -224,11 +241,11 @@ impl Keys<'_> {
 }
 
 /// Where vertices come from: arrays, or what Begin and End have collected.
-pub trait Source: Sync {
+pub trait VertexSource: Sync {
     /// Fills the batch with positions and edge flags of some elements, at most 64.
-    fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
+    fn positions(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
     /// Fills the batch with all other attributes of some elements.
-    fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
+    fn attributes(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
     /// How many vertices of a primitive are best taken at a time.
     fn block(&self, mode: GLenum) -> usize {
         triangle_list::block(mode)

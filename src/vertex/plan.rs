@@ -3,11 +3,11 @@
 //! or user planes that use them, no normal without a reader, no term of lighting that is black.
 
 use super::batch::{MAX_SLOTS, VertexBatch, needs};
-use super::cull::{CULLS, SIGHT};
+use super::cull::{CULL, CULLS};
 use super::stages::normal::{NORMAL, NORMAL_UNIT, Rescale, normal_matrix};
 use super::stages::{lighting, material, tex_coord, transform};
-use super::triangle_list::CORNER_PLACES;
-use super::uniforms::{LightNumbers, MaterialNumbers, UnitNumbers, VertexUniforms, ViewportNumbers};
+use super::triangle_list::CORNER_POSITIONS;
+use super::uniforms::{LightUniforms, MaterialUniforms, UnitUniforms, VertexUniforms, ViewportUniforms};
 use crate::enums::*;
 use crate::fragment::planes::{Layout, UnitSlots};
 use crate::num;
@@ -38,11 +38,11 @@ pub struct VertexPlan {
     pub plan: Plan<VertFn>,
     /// How many stages place a vertex: position, outcode, point size. The others run only for vertices that something
     /// visible uses.
-    pub places: usize,
+    pub position_stages: usize,
     /// Which triangles can be seen.
-    sight: Step<VertFn>,
+    cull: Step<VertFn>,
     /// Before that, in a batch that is in step: where their corners are.
-    pub corner_places: Step<VertFn>,
+    pub corner_positions: Step<VertFn>,
     /// The numbers.
     pub uniforms: VertexUniforms,
     /// The attributes that the stages read, bits of [`needs`].
@@ -74,9 +74,9 @@ fn step(stage: &Stage<VertFn>, level: Level) -> Step<VertFn> {
 impl VertexPlan {
     /// Which triangles can be seen where the sink [culls](super::Assembled::culls) some.
     #[must_use]
-    pub fn sight(&self, culls: [bool; 2]) -> Step<VertFn> {
+    pub fn cull(&self, culls: [bool; 2]) -> Step<VertFn> {
         let [positive, other] = [0, 1].map(|k: usize| if culls[k] { CULLS[k] } else { 0 });
-        Step { arg: self.clip_mask | positive | other, ..self.sight }
+        Step { arg: self.clip_mask | positive | other, ..self.cull }
     }
 
     /// The plan of nothing.
@@ -84,9 +84,9 @@ impl VertexPlan {
     pub fn new(level: Level) -> Self {
         Self {
             plan: Plan::new(level),
-            places: 0,
-            sight: step(&SIGHT, level),
-            corner_places: step(&CORNER_PLACES, level),
+            position_stages: 0,
+            cull: step(&CULL, level),
+            corner_positions: step(&CORNER_POSITIONS, level),
             uniforms: VertexUniforms::default(),
             needs: 0,
             layout: Layout::default(),
@@ -119,7 +119,7 @@ impl VertexPlan {
                 self.unit(&mut tail, unit, *slots, state, &mut r);
             }
         }
-        self.place(state);
+        self.position_stages(state);
         if r.eye || r.point {
             self.plan.push(&transform::EYE, 0);
         }
@@ -189,7 +189,7 @@ impl VertexPlan {
 
     /// The stages that place a vertex; the rest of the list does not read what they leave behind, except where every
     /// vertex of a batch runs through both.
-    fn place(&mut self, state: &State) {
+    fn position_stages(&mut self, state: &State) {
         let p = &state.point;
         self.uniforms.point = [p.size, p.size_min, p.size_max];
         self.uniforms.point_attenuation = p.distance_attenuation;
@@ -206,7 +206,7 @@ impl VertexPlan {
             self.plan.push(&transform::EYE_POINT, 0);
         }
         self.plan.push(if distance { &transform::POINT_DISTANCE } else { &transform::POINT_SIZE }, 0);
-        self.places = self.plan.steps.len();
+        self.position_stages = self.plan.steps.len();
     }
 
     /// Stages of a unit (section 2.11.4): generation of the coordinates that the layout takes, then the matrix.
@@ -215,7 +215,7 @@ impl VertexPlan {
             return;
         };
         let Some(matrix) = state.transform.texture.get(unit).map(|stack| *stack.top()) else { return };
-        *numbers = UnitNumbers {
+        *numbers = UnitUniforms {
             planes: planes(source),
             matrix: without_whole_periods(matrix, slots).to_cols_array_2d(),
             base: slots.base,
@@ -280,7 +280,7 @@ impl VertexPlan {
         let (mut ambient_varies, mut specular) = (false, false);
         let mut viewer = false;
         for (i, light) in s.lights.iter().enumerate().filter(|(_, light)| light.enabled) {
-            let (numbers, mut flags) = light_numbers(light, s.model.local_viewer);
+            let (numbers, mut flags) = light_uniforms(light, s.model.local_viewer);
             u.lights[i] = numbers;
             flags |= i as u32;
             let attenuated = flags & lighting::flag::ATTENUATED != 0;
@@ -310,7 +310,7 @@ impl VertexPlan {
             }
         }
         for face in 0..if u.two_side { 2 } else { 1 } {
-            u.materials[face] = material_numbers(&s.materials[face], &u.ambient);
+            u.materials[face] = material_uniforms(&s.materials[face], &u.ambient);
             let flags = face as u32
                 | track[face]
                 | if separate && secondary_taken { material::flag::SEPARATE } else { 0 }
@@ -340,12 +340,12 @@ fn product(a: &DMat4, b: &DMat4) -> [[f64; 4]; 4] {
     })
 }
 
-fn viewport(state: &State) -> ViewportNumbers {
+fn viewport(state: &State) -> ViewportUniforms {
     let v = &state.viewport;
     let half = [f64::from(v.width) / 2.0, f64::from(v.height) / 2.0];
     let corner = [v.x, v.y];
     let size = [v.width, v.height];
-    ViewportNumbers {
+    ViewportUniforms {
         half,
         center: std::array::from_fn(|i| f64::from(corner[i]) + half[i]),
         center_snapped: std::array::from_fn(|i| corner[i].wrapping_mul(256).wrapping_add(size[i].wrapping_mul(128))),
@@ -400,8 +400,8 @@ fn tracking(s: &Lighting) -> [u32; 2] {
     }
 }
 
-fn material_numbers(m: &Material, ambient: &[f32; 3]) -> MaterialNumbers {
-    MaterialNumbers {
+fn material_uniforms(m: &Material, ambient: &[f32; 3]) -> MaterialUniforms {
+    MaterialUniforms {
         base: std::array::from_fn(|c| m.emission[c] + ambient[c] * m.ambient[c]),
         emission: rgb(&m.emission),
         ambient: rgb(&m.ambient),
@@ -417,14 +417,14 @@ fn unit_f32(v: DVec3) -> [f32; 3] {
 }
 
 /// A light's numbers and the flags of its stages.
-fn light_numbers(l: &Light, local_viewer: bool) -> (LightNumbers, u32) {
+fn light_uniforms(l: &Light, local_viewer: bool) -> (LightUniforms, u32) {
     use lighting::flag::{ATTENUATED, DISTANCE, EXPONENT, LOCAL_LIGHT, LOCAL_VIEWER, SPOT};
     let [x, y, z, w] = l.position;
     let toward = DVec3::new(x, y, z);
     let local = w != 0.0;
     let direction = DVec3::from_array(unit_f32(toward).map(f64::from));
     let spot = l.spot_cutoff != 180.0;
-    let numbers = LightNumbers {
+    let numbers = LightUniforms {
         ambient: rgb(&l.ambient),
         diffuse: rgb(&l.diffuse),
         specular: rgb(&l.specular),

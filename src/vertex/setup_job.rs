@@ -1,41 +1,47 @@
 //! A piece of a long Begin/End that another thread is to set up: vertices as they were given, and all that is needed to make
 //! primitives of them.
 
-use super::draw_worker::{Lane, SourceDraw};
+use super::draw_worker::{DrawWorker, SourceDraw};
 use super::plan::VertexPlan;
-use super::vertex_store::Store;
+use super::vertex_store::VertexStore;
 use crate::enums::GLenum;
-use crate::raster::{Builder, SetUp, Shader};
+use crate::raster::{FragmentProgram, PrimitiveBuilder, SetupFn};
 use crate::simd::{LANES, Level};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A piece.
 #[derive(Clone, Debug)]
-pub struct Piece {
+pub struct SetupJob {
     plan: VertexPlan,
     mode: GLenum,
     cut: usize,
-    store: Store,
+    store: VertexStore,
     /// What the thread works with.
-    pub lane: Lane,
+    pub worker: DrawWorker,
 }
 
-/// Pieces that nobody works on.
+/// Free list of jobs.
 #[derive(Clone, Debug, Default)]
-pub struct Pieces(Arc<Mutex<Vec<Piece>>>);
+pub struct SetupJobPool(Arc<Mutex<Vec<SetupJob>>>);
 
-impl Pieces {
+impl SetupJobPool {
     /// The pieces that lie there.
-    pub fn idle(&self) -> MutexGuard<'_, Vec<Piece>> {
+    pub fn idle(&self) -> MutexGuard<'_, Vec<SetupJob>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Makes a piece of whole primitives: `store` is swapped for an empty one.
     #[must_use]
-    pub fn make<P: Shader>(&self, plan: &VertexPlan, mode: GLenum, cut: usize, store: &mut Store) -> SetUp<P> {
+    pub fn make<P: FragmentProgram>(
+        &self,
+        plan: &VertexPlan,
+        mode: GLenum,
+        cut: usize,
+        store: &mut VertexStore,
+    ) -> SetupFn<P> {
         let new = || {
             let plan = VertexPlan::new(Level::Baseline);
-            Piece { plan, mode, cut, store: Store::default(), lane: Lane::default() }
+            SetupJob { plan, mode, cut, store: VertexStore::default(), worker: DrawWorker::default() }
         };
         let mut piece = self.idle().pop().unwrap_or_else(new);
         piece.plan.clone_from(plan);
@@ -50,11 +56,11 @@ impl Pieces {
     }
 }
 
-impl Piece {
-    fn set_up<P: Shader>(&mut self, to: &mut Builder<'_, P>) {
-        let Self { plan, mode, cut, store, lane } = self;
-        lane.chunk.pool.reset(plan);
+impl SetupJob {
+    fn set_up<P: FragmentProgram>(&mut self, to: &mut PrimitiveBuilder<'_, P>) {
+        let Self { plan, mode, cut, store, worker } = self;
+        worker.processor.pool.reset(plan);
         let draw = SourceDraw { plan, source: store, mode: *mode, cut: *cut };
-        lane.draw(&draw, store.order(), to, |_| {});
+        worker.draw(&draw, store.order(), to, |_| {});
     }
 }

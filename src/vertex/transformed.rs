@@ -6,20 +6,20 @@ use super::batch::VertexBatch;
 use super::plan::VertexPlan;
 use crate::fragment::planes::Layout;
 use crate::limits::MAX_CLIP_PLANES;
-use crate::raster::vertex::{Place, Vertex, Vertices};
+use crate::raster::vertex::{ScreenPosition, Vertex, Vertices};
 use crate::simd::LANES;
 
 /// Vertices of a pool at most; ids are taken modulo this number.
-pub const PLACES: usize = 8192;
+pub const MAX_VERTICES: usize = 8192;
 
 /// Processed vertices.
 #[derive(Clone, Debug, Default)]
-pub struct Pool {
+pub struct TransformedVertices {
     /// How many vertices there are.
     count: usize,
     /// What decides over most triangles, close together: facing and outcodes are found without touching the rest. Always
     /// as long as a pool may be.
-    places: Vec<Place>,
+    screen: Vec<ScreenPosition>,
     /// Edge flags.
     edges: Vec<bool>,
     /// Position parts and slots of the vertices that have been given theirs.
@@ -30,7 +30,7 @@ pub struct Pool {
     kept: Vec<f32>,
 }
 
-impl Pool {
+impl TransformedVertices {
     /// Forgets all vertices and takes the shape of a plan's output.
     pub fn reset(&mut self, plan: &VertexPlan) {
         self.count = 0;
@@ -54,19 +54,19 @@ impl Pool {
     /// Where a vertex is.
     #[inline]
     #[must_use]
-    pub fn place(&self, id: u32) -> Place {
-        self.places.get(id as usize % PLACES).copied().unwrap_or_default()
+    pub fn screen(&self, id: u32) -> ScreenPosition {
+        self.screen.get(id as usize % MAX_VERTICES).copied().unwrap_or_default()
     }
 
     /// Where the corners of triangles are.
     #[inline]
-    pub fn corners(&self, triangles: &[[u32; 3]], corners: &mut [[Place; LANES]; 3]) {
-        let Some(places) = self.places.first_chunk::<PLACES>() else { return };
+    pub fn corners(&self, triangles: &[[u32; 3]], corners: &mut [[ScreenPosition; LANES]; 3]) {
+        let Some(places) = self.screen.first_chunk::<MAX_VERTICES>() else { return };
         let [a, b, c] = corners;
         for (ids, ((a, b), c)) in triangles.iter().zip(a.iter_mut().zip(b).zip(c)) {
-            *a = places[ids[0] as usize % PLACES];
-            *b = places[ids[1] as usize % PLACES];
-            *c = places[ids[2] as usize % PLACES];
+            *a = places[ids[0] as usize % MAX_VERTICES];
+            *b = places[ids[1] as usize % MAX_VERTICES];
+            *c = places[ids[2] as usize % MAX_VERTICES];
         }
     }
 
@@ -95,11 +95,11 @@ impl Pool {
 
     /// Appends the places of the vertices of a batch; they have no values yet.
     pub fn append(&mut self, b: &VertexBatch) {
-        let n = b.n.min(LANES).min(PLACES - self.count.min(PLACES));
+        let n = b.n.min(LANES).min(MAX_VERTICES - self.count.min(MAX_VERTICES));
         self.make_room(n);
         let new = self.count..self.count + n;
-        if let Some(places) = self.places.get_mut(new.clone()) {
-            places.copy_from_slice(&b.place[..n]);
+        if let Some(places) = self.screen.get_mut(new.clone()) {
+            places.copy_from_slice(&b.screen[..n]);
         }
         if let Some(edges) = self.edges.get_mut(new.clone()) {
             edges.copy_from_slice(&b.edge[..n]);
@@ -116,8 +116,8 @@ impl Pool {
     /// there.
     fn make_room(&mut self, more: usize) {
         let count = self.count + more;
-        if self.places.is_empty() {
-            self.places.resize(PLACES, Place::default());
+        if self.screen.is_empty() {
+            self.screen.resize(MAX_VERTICES, ScreenPosition::default());
         }
         if self.edges.len() < count {
             self.edges.resize(count, true);
@@ -137,8 +137,8 @@ impl Pool {
             *head = Vertex {
                 clip: [b.clip[0][i], b.clip[1][i], b.clip[2][i], b.clip[3][i]],
                 window: [b.window[0][i], b.window[1][i], b.window[2][i]],
-                snapped: b.place[i].snapped(),
-                outcode: b.place[i].outcode(),
+                snapped: b.screen[i].snapped(),
+                outcode: b.screen[i].outcode(),
                 edge: b.edge[i],
                 point_size: b.point_size[i],
             };
@@ -191,13 +191,13 @@ impl Pool {
         const MOST: usize = 4;
         let mut heads = [Vertex::default(); MOST];
         let mut user = [[0.0; MAX_CLIP_PLANES]; MOST];
-        let mut places = [(Place::default(), true); MOST];
+        let mut places = [(ScreenPosition::default(), true); MOST];
         self.kept.clear();
         let mut count = 0;
         for ((id, place), (head, distances)) in
             ids.iter_mut().zip(&mut places).zip(heads.iter_mut().zip(user.iter_mut()))
         {
-            *place = (self.place(*id), self.edge(*id));
+            *place = (self.screen(*id), self.edge(*id));
             if let Some(v) = self.get(*id) {
                 *head = *v.head;
             }
@@ -217,7 +217,7 @@ impl Pool {
         for (to, from) in self.vertices.head.iter_mut().zip(&heads[..count]) {
             *to = *from;
         }
-        for ((place, edge), from) in self.places.iter_mut().zip(&mut self.edges).zip(&places[..count]) {
+        for ((place, edge), from) in self.screen.iter_mut().zip(&mut self.edges).zip(&places[..count]) {
             (*place, *edge) = *from;
         }
         for (to, from) in self.vertices.slots.iter_mut().zip(&self.kept) {

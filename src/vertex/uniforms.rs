@@ -9,7 +9,7 @@ pub type Columns = [[f64; 4]; 4];
 
 /// From clip to window coordinates (section 2.11.1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ViewportNumbers {
+pub struct ViewportUniforms {
     /// Half of width and height.
     pub half: [f64; 2],
     /// Centre in pixels.
@@ -24,7 +24,7 @@ pub struct ViewportNumbers {
 
 /// A light source, ready for the stages.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct LightNumbers {
+pub struct LightUniforms {
     /// Ambient intensity.
     pub ambient: [f32; 3],
     /// Diffuse intensity.
@@ -49,7 +49,7 @@ pub struct LightNumbers {
 
 /// A material face, ready for the stages.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct MaterialNumbers {
+pub struct MaterialUniforms {
     /// Emission plus, where the colour tracks neither, the ambient light that is the same for all vertices.
     pub base: [f32; 3],
     /// Emission alone.
@@ -66,7 +66,7 @@ pub struct MaterialNumbers {
 
 /// Coordinate numbers of a texture unit.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct UnitNumbers {
+pub struct UnitUniforms {
     /// Planes of object linear and eye linear generation, for s, t, r, q.
     pub planes: [[f64; 4]; 4],
     /// Texture matrix.
@@ -97,13 +97,13 @@ pub struct VertexUniforms {
     /// How many user planes are enabled.
     pub user_count: usize,
     /// Viewport.
-    pub viewport: ViewportNumbers,
+    pub viewport: ViewportUniforms,
     /// Ambient light of the scene and of all lights that are not attenuated.
     pub ambient: [f32; 3],
     /// The lights.
-    pub lights: [LightNumbers; MAX_LIGHTS],
+    pub lights: [LightUniforms; MAX_LIGHTS],
     /// Front and back material.
-    pub materials: [MaterialNumbers; 2],
+    pub materials: [MaterialUniforms; 2],
     /// Whether both faces are lit.
     pub two_side: bool,
     /// Slots of front and back colour.
@@ -113,7 +113,7 @@ pub struct VertexUniforms {
     /// Slot of the fog coordinate.
     pub fog_slot: usize,
     /// Texture units.
-    pub units: [UnitNumbers; MAX_TEXTURE_UNITS],
+    pub units: [UnitUniforms; MAX_TEXTURE_UNITS],
     /// Point size, least, greatest, and distance attenuation.
     pub point: [f32; 3],
     /// Distance attenuation of the point size.

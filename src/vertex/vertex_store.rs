@@ -4,7 +4,7 @@
 
 use super::batch::{Lanes, VertexBatch, needs};
 use super::cache::IndexList;
-use super::{Keys, Order, Source};
+use super::{ElementOrder, Keys, VertexSource};
 use crate::enums::GLenum;
 use crate::simd::LANES;
 
@@ -15,7 +15,7 @@ const EACH: u32 = LANES as u32;
 
 /// A store of vertices.
 #[derive(Clone, Debug, Default)]
-pub struct Store {
+pub struct VertexStore {
     /// Which attributes are kept besides the position, bits of [`needs`].
     kept: u32,
     /// Arrays of a block.
@@ -47,7 +47,7 @@ fn arrays(kept: u32) -> usize {
     sizes.iter().filter(|(bit, _)| kept & bit != 0).map(|(_, n)| n).sum::<usize>() + 4 * units
 }
 
-impl Store {
+impl VertexStore {
     /// Forgets all vertices and says which attributes the next ones have, and how many come at a time.
     pub fn clear(&mut self, kept: u32, each: usize) {
         self.lanes.clear();
@@ -75,8 +75,8 @@ impl Store {
 
     /// All vertices in order.
     #[must_use]
-    pub fn order(&self) -> Order<IndexList<'static>> {
-        Order::Range(0..u32::try_from(self.count).unwrap_or(u32::MAX))
+    pub fn order(&self) -> ElementOrder<IndexList<'static>> {
+        ElementOrder::Range(0..u32::try_from(self.count).unwrap_or(u32::MAX))
     }
 
     /// Appends the vertices of a batch; all batches but the last must have as many as come at a time. False where there is no memory.
@@ -187,8 +187,8 @@ impl Store {
     }
 }
 
-impl Source for Store {
-    fn places(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
+impl VertexSource for VertexStore {
+    fn positions(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         batch.n = keys.len().min(LANES);
         batch.w_is_one = self.w_is_one;
         self.copy(keys, 0, batch.position.iter_mut());
@@ -198,7 +198,7 @@ impl Source for Store {
         self.each
     }
 
-    fn values(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
+    fn attributes(&self, keys: &Keys<'_>, batch: &mut VertexBatch) {
         self.copy(keys, POSITION, attributes(batch, self.kept));
     }
 }
@@ -211,7 +211,7 @@ mod tests {
     #[test]
     fn vertices_come_back_whatever_blocks_they_lie_in() {
         for each in [48, LANES] {
-            let (mut store, mut batch) = (Store::default(), VertexBatch::new());
+            let (mut store, mut batch) = (VertexStore::default(), VertexBatch::new());
             store.clear(needs::COLOR, each);
             let color = |i: u32| [i as f32, 0.5, -(i as f32), 1.0];
             for i in 0..200 {
@@ -228,8 +228,8 @@ mod tests {
             assert!(store.push(&mut batch));
             assert_eq!((store.len(), store.blocks()), (200, 200_usize.div_ceil(each)));
             let mut check = |keys: &Keys<'_>| {
-                store.places(keys, &mut batch);
-                store.values(keys, &mut batch);
+                store.positions(keys, &mut batch);
+                store.attributes(keys, &mut batch);
                 assert_eq!(batch.n, keys.len());
                 for lane in 0..batch.n {
                     let i = keys.get(lane).expect("a vertex");

@@ -3,7 +3,7 @@
 //! a vertex depends on nothing but its values, so no bit changes.
 
 use super::cache::IndexList;
-use super::vertex_store::Store;
+use super::vertex_store::VertexStore;
 
 /// How many places are looked at for a vertex before it counts as new, so that no input takes long.
 const PROBES: usize = 8;
@@ -12,7 +12,7 @@ const PROBES: usize = 8;
 #[derive(Clone, Debug, Default)]
 pub struct Welded {
     /// The vertices.
-    pub store: Store,
+    pub store: VertexStore,
     /// Their indices, 4 bytes each.
     indices: Vec<u8>,
 }
@@ -20,7 +20,7 @@ pub struct Welded {
 impl Welded {
     /// Welds a store; `None` where it is not worth it, or where there is no memory.
     #[must_use]
-    pub fn new(store: &Store) -> Option<Self> {
+    pub fn new(store: &VertexStore) -> Option<Self> {
         let count = store.len();
         let size = count.checked_mul(2)?.checked_next_power_of_two()?;
         let (mut places, mut indices, mut first) = (Vec::<u32>::new(), Vec::new(), Vec::<u32>::new());
@@ -72,8 +72,8 @@ mod tests {
     use crate::state::current::Current;
     use crate::vertex::batch::{VertexBatch, needs};
 
-    fn store(vertices: impl Iterator<Item = ([f32; 4], [f32; 4])>) -> Store {
-        let (mut store, mut batch) = (Store::default(), VertexBatch::new());
+    fn store(vertices: impl Iterator<Item = ([f32; 4], [f32; 4])>) -> VertexStore {
+        let (mut store, mut batch) = (VertexStore::default(), VertexBatch::new());
         store.clear(needs::COLOR, LANES);
         for (position, color) in vertices {
             batch.push(position, &Current { color, ..Current::default() }, needs::COLOR);

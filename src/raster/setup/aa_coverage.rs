@@ -10,10 +10,10 @@
 //!     /____:_______:_______:_______:_/     y - 1/2
 //! ```
 
-use super::line::Segment;
-use super::triangle::{Triangle, relative_snapped};
+use super::line::LineInput;
+use super::triangle::{TriangleInput, relative_snapped};
 use crate::num::floor_f64_to_int;
-use crate::raster::geometry::{Context, Cover, Geometry, index};
+use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, index};
 use crate::raster::state::{Mode, Rect};
 
 /// A convex outline of three or four corners.
@@ -55,7 +55,7 @@ impl Outline {
 
     /// What lies in a row of pixels.
     #[must_use]
-    pub fn row(&self, y: i32) -> Row {
+    pub fn row(&self, y: i32) -> OutlineRow {
         let y = f64::from(y - self.origin[1]);
         let mut polygon = [[0.0; 2]; CORNERS];
         for (to, from) in polygon.iter_mut().zip(self.corner) {
@@ -65,7 +65,8 @@ impl Outline {
         for side in [0.5, -0.5] {
             (polygon, count) = cut(&polygon, count, side);
         }
-        let mut row = Row { origin: self.origin[0], columns: (0, 0), edges: [Edge::default(); CORNERS], count: 0 };
+        let mut row =
+            OutlineRow { origin: self.origin[0], columns: (0, 0), edges: [SlopedEdge::default(); CORNERS], count: 0 };
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for i in 0..count {
             let (p, q) = (polygon[i], polygon[next(i, count)]);
@@ -73,7 +74,7 @@ impl Outline {
             // Under an upright edge there is nothing.
             if p[0] != q[0] {
                 let slope = (q[1] - p[1]) / (q[0] - p[0]);
-                row.edges[row.count] = Edge { x: [p[0], q[0]], y: p[1], slope };
+                row.edges[row.count] = SlopedEdge { x: [p[0], q[0]], y: p[1], slope };
                 row.count += 1;
             }
         }
@@ -91,18 +92,18 @@ const CORNERS: usize = 6;
 
 /// The part of an outline that lies in a row of pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Row {
+pub struct OutlineRow {
     /// The pixel whose centre is 0.
     origin: i32,
     /// The columns that may have coverage: pixels from the first to before the second.
     pub columns: (i32, i32),
-    edges: [Edge; CORNERS],
+    edges: [SlopedEdge; CORNERS],
     count: usize,
 }
 
 /// An edge that is not upright.
 #[derive(Clone, Copy, Debug, Default)]
-struct Edge {
+struct SlopedEdge {
     /// Where it begins and ends.
     x: [f64; 2],
     /// Its height at the beginning, from the middle of the row.
@@ -110,14 +111,14 @@ struct Edge {
     slope: f64,
 }
 
-impl Row {
+impl OutlineRow {
     /// How much of a pixel of the row is covered, in [0, 1]; exactly 0 where the outline does not reach it.
     #[must_use]
     pub fn coverage(&self, x: i32) -> f32 {
         let x = f64::from(x - self.origin);
         let (left, right) = (x - 0.5, x + 0.5);
         let mut twice = 0.0;
-        for Edge { x: [p, q], y, slope } in self.edges.iter().take(self.count) {
+        for SlopedEdge { x: [p, q], y, slope } in self.edges.iter().take(self.count) {
             let (a, b) = (p.max(left).min(right), q.max(left).min(right));
             twice += (b - a) * ((y + slope * (a - p)) + (y + slope * (b - p)));
         }
@@ -148,9 +149,9 @@ fn cut(polygon: &[[f64; 2]; CORNERS], count: usize, height: f64) -> ([[f64; 2]; 
     (out, n)
 }
 
-impl Geometry {
+impl SceneGeometry {
     /// Files a smooth filled triangle.
-    pub(crate) fn smooth_triangle(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool) {
+    pub(crate) fn smooth_triangle(&mut self, cx: &SetupContext, t: &TriangleInput, area: i64, back: bool) {
         if area == 0 {
             return;
         }
@@ -166,12 +167,12 @@ impl Geometry {
             return;
         }
         self.outlines.push(outline);
-        let cover = Cover::Outline(index(self.outlines.len() - 1));
+        let cover = Coverage::Outline(index(self.outlines.len() - 1));
         self.file(cover, cx.draw, planes, area.unsigned_abs() >> 17);
     }
 
     /// Files a smooth line: one rectangle, or one for each run of ones of the stipple.
-    pub(crate) fn smooth_line(&mut self, cx: &Context, s: &Segment, stipple: &mut u32) {
+    pub(crate) fn smooth_line(&mut self, cx: &SetupContext, s: &LineInput, stipple: &mut u32) {
         let planes = self.line_planes(cx, s);
         let [a, b] = s.v.map(|v| relative_snapped(v.head.snapped, planes.origin));
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -190,7 +191,7 @@ impl Geometry {
             let outline = Outline::new(planes.origin, &corners, cx.rs.clip);
             if !outline.rect.is_empty() {
                 self.outlines.push(outline);
-                let cover = Cover::Outline(index(self.outlines.len() - 1));
+                let cover = Coverage::Outline(index(self.outlines.len() - 1));
                 self.file(cover, cx.draw, planes, ((to - from) * (2.0 * half + 2.0)) as u64 + 1);
             }
         };

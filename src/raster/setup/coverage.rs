@@ -95,7 +95,8 @@ impl Edges {
             return;
         }
         let width = i64::from(self.rect.x1 - self.rect.x0);
-        let mut steps = [0, 1, 2].map(|k: usize| Step::new(self.a[k], self.b[k], self.c[k], from - self.rect.y0));
+        let mut steps =
+            [0, 1, 2].map(|k: usize| EdgeStepper::new(self.a[k], self.b[k], self.c[k], from - self.rect.y0));
         for y in from..to {
             let (mut low, mut high) = (0, width);
             for step in &mut steps {
@@ -138,7 +139,7 @@ fn half_mask(a: [i32; 3], b: [i32; 3], c: [i32; 3], height: i32) -> u64 {
 
 /// Where an edge crosses the rows, one row after the other: the quotient of E by |a|, kept exact with its remainder.
 #[derive(Clone, Copy, Debug)]
-struct Step {
+struct EdgeStepper {
     sign: i64,
     modulus: i64,
     quotient: i64,
@@ -147,7 +148,7 @@ struct Step {
     remainder_step: i64,
 }
 
-impl Step {
+impl EdgeStepper {
     #[inline(always)]
     fn new(a: i32, b: i32, c: i64, row: i32) -> Self {
         let (a, b) = (i64::from(a), i64::from(b));
@@ -190,7 +191,7 @@ fn divide(e: i64, modulus: i64) -> (i64, i64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::testing::{Board, Random};
+    use crate::raster::testing::{Random, TestCanvas};
 
     #[test]
     fn quotients_are_those_of_whole_numbers() {
@@ -281,15 +282,15 @@ mod tests {
         }
     }
 
-    /// Draws triangles that cover a board exactly, in both windings, and expects each pixel once.
+    /// Draws triangles that cover a canvas exactly, in both windings, and expects each pixel once.
     fn once(triangles: &[[[f64; 2]; 3]], side: u32) {
         for (threads, cut) in [(1, 64), (3, 17)] {
-            let mut board = Board::new(side, 0, threads, cut, |_| {});
+            let mut canvas = TestCanvas::new(side, 0, threads, cut, |_| {});
             for (i, t) in triangles.iter().enumerate() {
                 let [a, b, c] = *t;
-                board.plain(if i % 2 == 0 { [a, b, c] } else { [c, b, a] });
+                canvas.plain(if i % 2 == 0 { [a, b, c] } else { [c, b, a] });
             }
-            let hits = board.hits();
+            let hits = canvas.hits();
             let wrong = hits.iter().filter(|n| **n != 1).count();
             assert_eq!(wrong, 0, "{} triangles, {threads} threads", triangles.len());
         }
@@ -299,7 +300,7 @@ mod tests {
     fn grids_cover_each_pixel_once() {
         let mut random = Random(2);
         let (n, side) = (71, 256.0);
-        // Inner corners are moved about; the outer ones lie beyond the board.
+        // Inner corners are moved about; the outer ones lie beyond the canvas.
         let mut corner = vec![];
         for i in 0..=n {
             for j in 0..=n {
@@ -332,7 +333,7 @@ mod tests {
         let center = [101.3, 90.7];
         let mut rim: Vec<f64> = (0..5000).map(|_| random.unit()).chain([0.0, 0.25, 0.5, 0.75]).collect();
         rim.sort_by(f64::total_cmp);
-        // Once around a square beyond the board.
+        // Once around a square beyond the canvas.
         let around = |t: f64| {
             let (side, part) = ((t * 4.0).floor(), (t * 4.0).fract() * 400.0 - 100.0);
             match side as i32 {

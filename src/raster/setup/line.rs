@@ -9,18 +9,18 @@
 //!        \/   diamond, so lines that meet share no pixel          (-e, -e*e), e tiny, as the specification says
 //! ```
 
-use super::planes::{Basis, Values};
+use super::planes::{Basis, CornerValues};
 use super::triangle::{relative, relative_snapped, within_limit};
 use crate::fragment::planes::Planes;
 use crate::raster::VertexRef;
-use crate::raster::emit::{Emitter, Sink};
-use crate::raster::geometry::{Context, Cover, Geometry, finite, index};
+use crate::raster::emit::{Emitter, FragmentSink};
+use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, finite, index};
 use crate::raster::state::Rect;
 use std::ops::Range;
 
 /// A line on its way to being filed.
 #[derive(Clone, Copy)]
-pub(crate) struct Segment<'a> {
+pub(crate) struct LineInput<'a> {
     pub v: [VertexRef<'a>; 2],
     pub provoking: &'a [f32],
     /// Whether the colours of back faces are taken (boundary edges of polygons).
@@ -31,7 +31,7 @@ pub(crate) struct Segment<'a> {
 
 /// An aliased line, ready to be walked.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct AliasedLine {
     /// Pixels that may be touched.
     pub rect: Rect,
     /// Whether x is the major axis.
@@ -61,10 +61,10 @@ fn in_diamond(p: [i32; 2], pixel: [i32; 2]) -> bool {
     distance < 128 || (distance == 128 && x > 0)
 }
 
-impl Line {
+impl AliasedLine {
     /// The steps of a line between snapped positions, `None` where it has no fragment. The second value is the number of
     /// fragments along it, clipped ones too, by which the stipple counter goes on.
-    fn new(a: [i32; 2], b: [i32; 2], width: i32, counter: u32, cx: &Context) -> (Option<Self>, u32) {
+    fn new(a: [i32; 2], b: [i32; 2], width: i32, counter: u32, cx: &SetupContext) -> (Option<Self>, u32) {
         let d = [b[0] - a[0], b[1] - a[1]];
         let x_major = d[0].abs() >= d[1].abs();
         let (major, minor) = if x_major { (0, 1) } else { (1, 0) };
@@ -146,7 +146,7 @@ impl Line {
     }
 
     /// Hands on the fragments in `rows`.
-    pub fn walk(&self, rows: Range<i32>, stipple: Option<(u16, u32)>, to: &mut Emitter, sink: &mut impl Sink) {
+    pub fn walk(&self, rows: Range<i32>, stipple: Option<(u16, u32)>, to: &mut Emitter, sink: &mut impl FragmentSink) {
         let rect = self.rect;
         let (y0, y1) = (rows.start.max(rect.y0), rows.end.min(rect.y1));
         let (mut minor, mut remainder, mut count) = (self.minor, self.remainder, self.count);
@@ -189,9 +189,9 @@ impl Line {
     }
 }
 
-impl Geometry {
+impl SceneGeometry {
     /// Sets up a line and files it; the stipple counter goes on.
-    pub(crate) fn line(&mut self, cx: &Context, s: &Segment, stipple: &mut u32) {
+    pub(crate) fn line(&mut self, cx: &SetupContext, s: &LineInput, stipple: &mut u32) {
         let p = s.v.map(|v| v.head.snapped);
         if !within_limit(&p) {
             return;
@@ -201,17 +201,17 @@ impl Geometry {
             return;
         }
         let width = ((cx.rs.line_width + 0.5) as i32).max(1);
-        let (line, advance) = Line::new(p[0], p[1], width, *stipple, cx);
+        let (line, advance) = AliasedLine::new(p[0], p[1], width, *stipple, cx);
         *stipple = stipple.wrapping_add(advance);
         let Some(line) = line else { return };
         self.lines.push(line);
-        let cover = Cover::Line(index(self.lines.len() - 1));
+        let cover = Coverage::AliasedLine(index(self.lines.len() - 1));
         let planes = self.line_planes(cx, s);
         self.file(cover, cx.draw, planes, u64::from((line.to - line.from).unsigned_abs()) * width as u64);
     }
 
     /// The planes of a line, its slots in the pool.
-    pub(crate) fn line_planes(&mut self, cx: &Context, s: &Segment) -> Planes {
+    pub(crate) fn line_planes(&mut self, cx: &SetupContext, s: &LineInput) -> Planes {
         let [a, b] = s.v.map(|v| v.head);
         let (wa, wb) = (a.clip[3], b.clip[3]);
         let from = if wb > 2.0 * wa {
@@ -230,8 +230,8 @@ impl Geometry {
         z.at += s.offset;
         let mut planes = Planes { origin, z, ..Planes::default() };
         let corner = [s.v[0].slots, s.v[1].slots, s.v[1].slots];
-        let values = Values { corner, provoking: s.provoking, back: s.back, w: [wa, wb, wb] };
-        cx.recipe.planes(&basis, &values, &mut planes, &mut self.pool);
+        let values = CornerValues { corner, provoking: s.provoking, back: s.back, w: [wa, wb, wb] };
+        cx.plan.planes(&basis, &values, &mut planes, &mut self.pool);
         planes
     }
 }
@@ -239,7 +239,7 @@ impl Geometry {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::testing::{Board, Random};
+    use crate::raster::testing::{Random, TestCanvas};
     use crate::state::State;
 
     /// Tells whether a line makes a fragment, straight from the rule: the segment, both ends moved by (-e, -e*e), meets
@@ -292,9 +292,9 @@ mod tests {
             if (b[0] - a[0]).abs() == (b[1] - a[1]).abs() {
                 continue;
             }
-            let mut board = Board::new(16, 0, 1, 64, |_| {});
-            board.line(a.map(|v| f64::from(v) / 256.0), b.map(|v| f64::from(v) / 256.0));
-            let hits = board.hits();
+            let mut canvas = TestCanvas::new(16, 0, 1, 64, |_| {});
+            canvas.line(a.map(|v| f64::from(v) / 256.0), b.map(|v| f64::from(v) / 256.0));
+            let hits = canvas.hits();
             for (i, n) in hits.iter().enumerate() {
                 let pixel = [i as i32 % 16, i as i32 / 16];
                 assert_eq!(*n == 1, exits(a, b, pixel), "{a:?} {b:?} {pixel:?}");
@@ -306,19 +306,19 @@ mod tests {
 
     #[test]
     fn closed_loops_hit_each_pixel_of_a_corner_once() {
-        let mut board = Board::new(32, 0, 2, 64, |_| {});
+        let mut canvas = TestCanvas::new(32, 0, 2, 64, |_| {});
         let corner = [[4.5, 4.5], [24.5, 4.5], [24.5, 20.5], [4.5, 20.5]];
         for i in 0..4 {
-            board.line(corner[i], corner[(i + 1) % 4]);
+            canvas.line(corner[i], corner[(i + 1) % 4]);
         }
-        let hits = board.hits();
+        let hits = canvas.hits();
         assert_eq!(hits.iter().sum::<u32>(), 2 * (20 + 16));
         assert!(hits.iter().all(|n| *n <= 1));
     }
 
-    fn rows(board: &mut Board, side: usize) -> Vec<String> {
+    fn rows(canvas: &mut TestCanvas, side: usize) -> Vec<String> {
         let text = |row: &[u32]| row.iter().map(|n| char::from(b'0' + *n as u8)).collect();
-        board.hits().chunks(side).map(text).collect()
+        canvas.hits().chunks(side).map(text).collect()
     }
 
     #[test]
@@ -329,17 +329,17 @@ mod tests {
             state.line.stipple_pattern = 0b1011;
             state.line.stipple_factor = 2;
         };
-        let mut board = Board::new(12, 0, 1, 5, stipple);
-        board.line([1.0, 5.25], [11.0, 5.25]);
+        let mut canvas = TestCanvas::new(12, 0, 1, 5, stipple);
+        canvas.line([1.0, 5.25], [11.0, 5.25]);
         let want = "011110011000";
-        let found = rows(&mut board, 12);
+        let found = rows(&mut canvas, 12);
         assert_eq!(
             [&found[3], &found[4], &found[5], &found[6], &found[7]],
             ["000000000000", want, want, want, "000000000000"]
         );
-        let mut board = Board::new(12, 0, 1, 5, stipple);
-        board.line([5.25, 11.0], [5.25, 1.0]);
-        let found = rows(&mut board, 12);
+        let mut canvas = TestCanvas::new(12, 0, 1, 5, stipple);
+        canvas.line([5.25, 11.0], [5.25, 1.0]);
+        let found = rows(&mut canvas, 12);
         let column: String = (0..12).rev().map(|y| found[y].chars().nth(4).unwrap()).collect();
         assert_eq!(column, "011110011000");
         assert_eq!(&found[10][3..9], "011100");
@@ -357,12 +357,12 @@ mod tests {
             (0..400).map(|_| [random.between(-50.0, 306.0), random.between(-50.0, 306.0)]).collect();
         let mut pictures = vec![];
         for (threads, cut) in [(1, 64), (2, 17), (7, 1)] {
-            let mut board = Board::new(256, 0, threads, cut, stipple);
+            let mut canvas = TestCanvas::new(256, 0, threads, cut, stipple);
             for (i, pair) in ends.windows(2).enumerate() {
                 let v = [0, 1].map(|k: usize| crate::raster::testing::vertex(pair[k][0], pair[k][1], 0.5, 1.0));
-                board.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &[] }), 1, i == 0);
+                canvas.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &[] }), 1, i == 0);
             }
-            pictures.push(board.hits());
+            pictures.push(canvas.hits());
         }
         assert!(pictures[0].iter().sum::<u32>() > 20_000);
         assert!(pictures[0] == pictures[1] && pictures[0] == pictures[2]);
@@ -373,7 +373,7 @@ mod tests {
         let mut random = Random(13);
         for _ in 0..50 {
             let width = random.between(1.0, 6.0) as f32;
-            let mut board = Board::new(64, 1, 1, 64, |state| {
+            let mut canvas = TestCanvas::new(64, 1, 1, 64, |state| {
                 state.line.smooth = true;
                 state.line.width = width;
             });
@@ -381,8 +381,8 @@ mod tests {
                 [random.between(8.0, 56.0), random.between(8.0, 56.0)].map(|v: f64| (v * 256.0).round() / 256.0)
             };
             let (a, b) = (end(&mut random), end(&mut random));
-            board.line(a, b);
-            let sum: f64 = board.seen().iter().map(|s| f64::from(s.coverage)).sum();
+            canvas.line(a, b);
+            let sum: f64 = canvas.seen().iter().map(|s| f64::from(s.coverage)).sum();
             let length = ((b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)).sqrt();
             assert!((sum - length * f64::from(width)).abs() < 1e-3 * length + 1e-3, "{sum} {length} {width}");
         }
@@ -390,12 +390,12 @@ mod tests {
 
     #[test]
     fn values_run_along_the_line() {
-        let mut board = Board::new(32, 1, 1, 64, |_| {});
+        let mut canvas = TestCanvas::new(32, 1, 1, 64, |_| {});
         let v =
             [crate::raster::testing::vertex(2.0, 3.25, 0.0, 1.0), crate::raster::testing::vertex(18.0, 3.25, 1.0, 3.0)];
         let slots = [[0.0f32], [1.0]];
-        board.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &slots[k] }), 1, true);
-        let seen = board.seen();
+        canvas.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &slots[k] }), 1, true);
+        let seen = canvas.seen();
         assert_eq!(seen.len(), 16);
         for (i, s) in seen.iter().enumerate() {
             let t = (i as f64 + 0.5) / 16.0;

@@ -4,7 +4,7 @@
 pub(super) mod aa_coverage;
 pub(super) mod coverage;
 pub(super) mod line;
-pub(super) mod plane_pool;
+pub(super) mod plane_buffer;
 pub(super) mod planes;
 pub(super) mod point;
 pub(super) mod texcoord_planes;

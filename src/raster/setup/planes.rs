@@ -4,13 +4,13 @@
 //! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
-use super::plane_pool::Pool;
-use super::weights::{FOUR, Four, FourFn, Weights};
+use super::plane_buffer::PlaneBuffer;
+use super::weights::{FOUR, FourPlanes, FourPlanesFn, Weights};
 use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, Planes, UnitSlots};
 use crate::raster::state::{Mode, RasterState};
-use crate::raster::triangle_batch::Group;
+use crate::raster::triangle_batch::TriangleBatch;
 use crate::raster::triangle_batch::corners::MOST_SLOTS;
-use crate::raster::triangle_batch::planes::{GroupFn, Rules, SET_UP_GROUP, TURN_GROUP, TurnFn, View};
+use crate::raster::triangle_batch::planes::{BatchState, GroupFn, SET_UP_GROUP, SlotRules, TURN_GROUP, TurnFn};
 use crate::simd::Level;
 
 /// How a position relative to the origin becomes weights of the corners.
@@ -56,21 +56,21 @@ impl Basis {
 
 /// The layout of a draw, prepared for setup.
 #[derive(Clone, Debug)]
-pub struct Recipe {
+pub struct SetupPlan {
     level: Level,
-    run: FourFn,
+    run: FourPlanesFn,
     run_group: GroupFn,
     turn_group: TurnFn,
     layout: Layout,
     flat: bool,
     units: Vec<(u32, UnitSlots)>,
-    rules: Rules,
+    rules: SlotRules,
     grouped: bool,
 }
 
 /// The values at the corners of a primitive.
 #[derive(Clone, Copy, Debug)]
-pub struct Values<'a> {
+pub struct CornerValues<'a> {
     /// Slots of each corner.
     pub corner: [&'a [f32]; 3],
     /// Slots of the provoking vertex.
@@ -83,7 +83,7 @@ pub struct Values<'a> {
 
 /// Puts constants in the place of planes that are not finite.
 #[cold]
-fn replace_odd(planes: &mut [Plane], values: &[f32]) {
+fn replace_non_finite(planes: &mut [Plane], values: &[f32]) {
     for (plane, value) in planes.iter_mut().zip(values) {
         if !(plane.n0 + plane.nx + plane.ny).is_finite() {
             *plane = constant(if value.is_finite() { *value } else { 0.0 });
@@ -102,14 +102,14 @@ pub(crate) const fn constant(c: f32) -> Plane {
     Plane { c, min: c, max: c, n0: 0.0, nx: 0.0, ny: 0.0 }
 }
 
-impl Recipe {
-    /// An empty recipe, whose planes are made at a level or the highest that the processor has.
+impl SetupPlan {
+    /// An empty plan, whose planes are made at a level or the highest that the processor has.
     #[must_use]
     pub fn new(level: Level) -> Self {
         let level = level.at_most_available();
         let (run, run_group) = (FOUR.levels[level as usize], SET_UP_GROUP.levels[level as usize]);
         let turn_group = TURN_GROUP.levels[level as usize];
-        let (layout, rules) = (Layout::default(), Rules::default());
+        let (layout, rules) = (Layout::default(), SlotRules::default());
         Self { level, run, run_group, turn_group, layout, flat: false, units: Vec::new(), rules, grouped: false }
     }
 
@@ -155,9 +155,9 @@ impl Recipe {
     }
 
     /// Turns the corners of a group into lanes.
-    pub(crate) fn turn(&self, group: &mut Group) {
-        #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
-        // SAFETY: a recipe is made for no level that the processor does not have.
+    pub(crate) fn turn(&self, group: &mut TriangleBatch) {
+        #[expect(unsafe_code, reason = "the level was checked when the plan was made")]
+        // SAFETY: a plan is made for no level that the processor does not have.
         unsafe {
             (self.turn_group)(group, self.layout.count);
         }
@@ -165,9 +165,9 @@ impl Recipe {
 
     /// Sets up a group, whose planes go to a place a slot.
     #[inline]
-    pub(crate) fn group(&self, group: &mut Group, view: &View, out: &mut [PlaneGroup]) {
-        #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
-        // SAFETY: a recipe is made for no level that the processor does not have.
+    pub(crate) fn group(&self, group: &mut TriangleBatch, view: &BatchState, out: &mut [PlaneGroup]) {
+        #[expect(unsafe_code, reason = "the level was checked when the plan was made")]
+        // SAFETY: a plan is made for no level that the processor does not have.
         unsafe {
             (self.run_group)(group, &self.rules, view, out);
         }
@@ -188,7 +188,7 @@ impl Recipe {
     /// Appends the planes of a primitive's slots to the pool and says the rest in `planes` (whose origin and z are the
     /// caller's). Slots that a vertex lacks become 0.
     #[inline]
-    pub fn planes(&self, basis: &Basis, values: &Values, planes: &mut Planes, pool: &mut Pool) {
+    pub fn planes(&self, basis: &Basis, values: &CornerValues, planes: &mut Planes, pool: &mut PlaneBuffer) {
         let weights = Weights::new(basis, values.w);
         let count = self.layout.count;
         planes.first = pool.len() as u32;
@@ -212,7 +212,7 @@ impl Recipe {
 
     /// The planes of the slots from one on; slots that a vertex lacks are 0.
     #[inline]
-    fn span(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, four: &mut Four, out: &mut [Plane]) {
+    fn span(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, four: &mut FourPlanes, out: &mut [Plane]) {
         let [f0, f1, f2] = corner;
         let slots = from..from + out.len();
         let (Some(f0), Some(f1), Some(f2)) = (f0.get(slots.clone()), f1.get(slots.clone()), f2.get(slots)) else {
@@ -240,9 +240,9 @@ impl Recipe {
 
     /// Up to four planes.
     #[inline]
-    fn four(&self, weights: &Weights, slots: [&[f32; 4]; 3], four: &mut Four, out: &mut [Plane]) {
-        #[expect(unsafe_code, reason = "the level was checked when the recipe was made")]
-        // SAFETY: a recipe is made for no level that the processor does not have.
+    fn four(&self, weights: &Weights, slots: [&[f32; 4]; 3], four: &mut FourPlanes, out: &mut [Plane]) {
+        #[expect(unsafe_code, reason = "the level was checked when the plan was made")]
+        // SAFETY: a plan is made for no level that the processor does not have.
         unsafe {
             (self.run)(weights, slots, four);
         }
@@ -251,12 +251,12 @@ impl Recipe {
         }
         let [a, b, c, d] = four.check;
         if (a + b + c + d).is_nan() {
-            replace_odd(out, slots[0]);
+            replace_non_finite(out, slots[0]);
         }
     }
 
     /// Colours once more where they are not simply those of the corners: flat shading, back faces.
-    fn colors(&self, weights: &Weights, values: &Values, four: &mut Four, out: &mut [Plane]) {
+    fn colors(&self, weights: &Weights, values: &CornerValues, four: &mut FourPlanes, out: &mut [Plane]) {
         for (to, from, n) in self.color_slots(values.back) {
             let corners = if self.flat { [values.provoking; 3] } else { values.corner };
             if let Some(out) = out.get_mut(to..to + n) {

@@ -2,16 +2,16 @@
 //! values are those of the vertex, so their planes have no slope. A point is drawn or not by its centre; its square may
 //! reach beyond the viewport.
 
-use super::planes::{Basis, Values};
+use super::planes::{Basis, CornerValues};
 use super::triangle::within_limit;
 use crate::fragment::planes::{Linear, Planes};
 use crate::raster::VertexRef;
-use crate::raster::geometry::{Context, Cover, Geometry, Span, index};
+use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, Span, index};
 use crate::raster::state::{Rect, limited_point};
 
 /// A point on its way to being filed.
 #[derive(Clone, Copy)]
-pub(crate) struct Dot<'a> {
+pub(crate) struct PointInput<'a> {
     pub v: VertexRef<'a>,
     pub provoking: &'a [f32],
     /// Whether the colours of back faces are taken (vertices of polygons).
@@ -73,9 +73,9 @@ fn square(center: [i32; 2], size: i32) -> Rect {
     Rect::sized(low[0], low[1], size, size)
 }
 
-impl Geometry {
+impl SceneGeometry {
     /// Sets up a point and files it.
-    pub(crate) fn point(&mut self, cx: &Context, dot: &Dot) {
+    pub(crate) fn point(&mut self, cx: &SetupContext, dot: &PointInput) {
         let head = dot.v.head;
         let center = head.snapped;
         if !within_limit(&[center]) {
@@ -93,33 +93,34 @@ impl Geometry {
             }
             let at = [0, 1].map(|k: usize| f64::from(center[k] - (origin[k] << 8)) * (1.0 / 256.0));
             self.discs.push(Disc { rect, origin, center: at, radius });
-            Cover::Disc(index(self.discs.len() - 1))
+            Coverage::Disc(index(self.discs.len() - 1))
         } else {
             let rect = square(center, ((size + 0.5) as i32).max(1)).and(cx.rs.clip);
             if rect.is_empty() {
                 return;
             }
-            Cover::Rect(rect)
+            Coverage::Rect(rect)
         };
         let planes = self.point_planes(cx, dot, origin);
         self.file(cover, cx.draw, planes, (size * size) as u64 + 1);
     }
 
     /// Planes without slopes, the slots in the pool.
-    fn point_planes(&mut self, cx: &Context, dot: &Dot, origin: [i32; 2]) -> Planes {
+    fn point_planes(&mut self, cx: &SetupContext, dot: &PointInput, origin: [i32; 2]) -> Planes {
         let head = dot.v.head;
         let at = head.window[2] * cx.rs.depth_scale + dot.offset;
         let z = Linear { at: if at.is_finite() { at } else { 0.0 }, x: 0.0, y: 0.0 };
         let mut planes = Planes { origin, z, ..Planes::default() };
         let slots = dot.v.slots;
-        let values = Values { corner: [slots; 3], provoking: dot.provoking, back: dot.back, w: [head.clip[3]; 3] };
-        cx.recipe.planes(&Basis::default(), &values, &mut planes, &mut self.pool);
+        let values =
+            CornerValues { corner: [slots; 3], provoking: dot.provoking, back: dot.back, w: [head.clip[3]; 3] };
+        cx.plan.planes(&Basis::default(), &values, &mut planes, &mut self.pool);
         planes
     }
 
     /// Files row runs that all have the values of one vertex (a bitmap at the raster position). A pixel may be in them
     /// once only.
-    pub(crate) fn runs(&mut self, cx: &Context, v: VertexRef, runs: impl Iterator<Item = Span>) {
+    pub(crate) fn runs(&mut self, cx: &SetupContext, v: VertexRef, runs: impl Iterator<Item = Span>) {
         let (first, clip) = (self.spans.len(), cx.rs.clip);
         let mut pixels = 0;
         for Span { x, y, len } in runs {
@@ -131,15 +132,15 @@ impl Geometry {
         }
         let Some(begin) = self.spans.get(first) else { return };
         let origin = [begin.x, begin.y];
-        let cover = Cover::Spans { first: index(first), count: index(self.spans.len() - first) };
-        let planes = self.point_planes(cx, &Dot { v, provoking: v.slots, back: false, offset: 0.0 }, origin);
+        let cover = Coverage::Spans { first: index(first), count: index(self.spans.len() - first) };
+        let planes = self.point_planes(cx, &PointInput { v, provoking: v.slots, back: false, offset: 0.0 }, origin);
         self.file(cover, cx.draw, planes, pixels);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::raster::testing::{Board, Random, vertex};
+    use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::raster::{Span, VertexRef};
 
     #[test]
@@ -148,10 +149,10 @@ mod tests {
         for _ in 0..500 {
             let size = random.between(0.0, 9.0) as f32;
             let at = [random.between(-3.0, 35.0), random.between(-3.0, 35.0)].map(|v: f64| (v * 256.0).round() / 256.0);
-            let mut board = Board::new(32, 0, 1, 7, |_| {});
-            board.point(at, size);
+            let mut canvas = TestCanvas::new(32, 0, 1, 7, |_| {});
+            canvas.point(at, size);
             let n = (f64::from(size) + 0.5).floor().max(1.0);
-            let hits = board.hits();
+            let hits = canvas.hits();
             for y in 0..32 {
                 for x in 0..32 {
                     // The specification's centre: the pixel's for odd sizes, the nearest corner for even ones.
@@ -168,10 +169,10 @@ mod tests {
         let mut random = Random(22);
         for _ in 0..100 {
             let size = random.between(1.0, 20.0) as f32;
-            let mut board = Board::new(64, 1, 1, 64, |state| state.point.smooth = true);
+            let mut canvas = TestCanvas::new(64, 1, 1, 64, |state| state.point.smooth = true);
             let at = [random.between(20.0, 40.0), random.between(20.0, 40.0)];
-            board.point(at, size);
-            let seen = board.seen();
+            canvas.point(at, size);
+            let seen = canvas.seen();
             let sum: f64 = seen.iter().map(|s| f64::from(s.coverage)).sum();
             let area = std::f64::consts::PI * f64::from(size) * f64::from(size) / 4.0;
             assert!((sum / area - 1.0).abs() < 0.02, "{size}: {sum} {area}");
@@ -182,11 +183,11 @@ mod tests {
     #[test]
     fn runs_are_clipped_and_hit_once() {
         for (threads, cut) in [(1, 64), (2, 5)] {
-            let mut board = Board::new(64, 0, threads, cut, |_| {});
+            let mut canvas = TestCanvas::new(64, 0, threads, cut, |_| {});
             let head = vertex(70.0, -3.0, 0.5, 1.0);
             let runs = (-4..70).map(|y| Span { x: y - 8, y, len: if y == 30 { i32::MAX } else { 21 } });
-            board.scene.spans(VertexRef { head: &head, slots: &[] }, runs);
-            for (i, n) in board.hits().into_iter().enumerate() {
+            canvas.scene.spans(VertexRef { head: &head, slots: &[] }, runs);
+            for (i, n) in canvas.hits().into_iter().enumerate() {
                 let (x, y) = (i as i32 % 64, i as i32 / 64);
                 assert_eq!(n == 1, x >= y - 8 && (x < y + 13 || y == 30), "{x} {y}");
             }
@@ -197,9 +198,9 @@ mod tests {
     fn size_one_is_one_pixel() {
         for at in [[3.0, 3.0], [3.99, 3.01], [3.5, 3.5]] {
             for size in [0.0, 1.0, 1.4, f32::NAN, -5.0] {
-                let mut board = Board::new(8, 0, 1, 64, |_| {});
-                board.point(at, size);
-                let hits = board.hits();
+                let mut canvas = TestCanvas::new(8, 0, 1, 64, |_| {});
+                canvas.point(at, size);
+                let hits = canvas.hits();
                 assert_eq!((hits[3 * 8 + 3], hits.iter().sum::<u32>()), (1, 1), "{at:?} {size}");
             }
         }

@@ -1,12 +1,12 @@
 //! Texture coordinates of a primitive (OpenGL 1.5, sections 3.5.1 and 3.8.8): q in place of w, whole periods taken off,
 //! and the question whether f32 is enough to evaluate them.
 
-use super::planes::{Basis, Recipe, Values, constant};
+use super::planes::{Basis, CornerValues, SetupPlan, constant};
 use super::weights::Weights;
 use crate::fragment::planes::{Linear, Plane, UnitSlots};
 use crate::num::round_f64;
 
-impl Recipe {
+impl SetupPlan {
     /// Coordinates of a unit: q, periods, and whether f64 is needed, as it is for all units without q where `wide_w` says
     /// so of w.
     #[inline]
@@ -15,7 +15,7 @@ impl Recipe {
         basis: &Basis,
         weights: &Weights,
         slots: &UnitSlots,
-        values: &Values,
+        values: &CornerValues,
         wide_w: bool,
         out: &mut [Plane],
     ) -> bool {
@@ -56,12 +56,18 @@ impl Recipe {
 pub(crate) const LIMIT: f64 = 4096.0;
 
 /// A unit's q at the corners.
-fn corners_q(slots: &UnitSlots, values: &Values) -> [f64; 3] {
+fn corners_q(slots: &UnitSlots, values: &CornerValues) -> [f64; 3] {
     values.corner.map(|corner| f64::from(corner.get(slots.base + slots.count).copied().unwrap_or(0.0)))
 }
 
 /// Coordinates of a unit with q.
-fn projective_unit(basis: &Basis, weights: &Weights, slots: &UnitSlots, values: &Values, out: &mut [Plane]) -> bool {
+fn projective_unit(
+    basis: &Basis,
+    weights: &Weights,
+    slots: &UnitSlots,
+    values: &CornerValues,
+    out: &mut [Plane],
+) -> bool {
     let UnitSlots { base, count, period, .. } = *slots;
     let at = |corner: usize, k: usize| {
         let slots: &[f32] = values.corner.get(corner).copied().unwrap_or(&[]);

@@ -3,12 +3,12 @@
 //! else is computed, small ones that contain no pixel centre before their planes are made.
 
 use super::coverage::{Edges, bounds};
-use super::line::Segment;
-use super::planes::{Basis, Values};
-use super::point::Dot;
+use super::line::LineInput;
+use super::planes::{Basis, CornerValues};
+use super::point::PointInput;
 use crate::fragment::planes::{Linear, Planes};
 use crate::raster::VertexRef;
-use crate::raster::geometry::{Context, Cover, Geometry, finite, index};
+use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, finite, index};
 use crate::raster::state::{Mode, Rect};
 use crate::raster::vertex::{Vertex, twice_area};
 
@@ -32,7 +32,7 @@ pub(crate) fn relative(p: [f64; 3], origin: [i32; 2]) -> [f64; 2] {
 }
 
 /// A triangle on its way to being filed.
-pub(crate) struct Triangle<'a> {
+pub(crate) struct TriangleInput<'a> {
     pub v: [VertexRef<'a>; 3],
     pub provoking: &'a [f32],
     /// Whether the edge from each vertex to the next is a boundary.
@@ -72,7 +72,7 @@ fn basis(v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64) -> Basis {
 /// The depth of a triangle in units of the depth buffer, from its snapped positions, with the offset of its mode; and that
 /// offset.
 #[inline]
-fn depth(cx: &Context, v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64, mode: Mode) -> (Linear, f64) {
+fn depth(cx: &SetupContext, v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64, mode: Mode) -> (Linear, f64) {
     let scale = cx.rs.depth_scale;
     let [z0, z1, z2] = v.map(|v| v.window[2] * scale);
     let edge = |i: usize, k: usize| f64::from(v[i].snapped[k] - v[0].snapped[k]) * (1.0 / 256.0);
@@ -98,13 +98,13 @@ fn pixels(area: i64) -> f64 {
     area as f64 * (1.0 / 65536.0)
 }
 
-impl Geometry {
+impl SceneGeometry {
     /// Sets up a triangle: culls it, or files it as its mode says.
-    pub(crate) fn triangle(&mut self, cx: &Context, t: &Triangle, stipple: &mut u32) {
-        if cx.recipe.is_grouped() && self.wait(cx, t) {
+    pub(crate) fn triangle(&mut self, cx: &SetupContext, t: &TriangleInput, stipple: &mut u32) {
+        if cx.plan.is_grouped() && self.wait(cx, t) {
             return;
         }
-        self.settle(cx);
+        self.flush_batch(cx);
         let rs = cx.rs;
         let p = t.v.map(|v| v.head.snapped);
         if !within_limit(&p) {
@@ -124,7 +124,7 @@ impl Geometry {
     }
 
     /// Files a filled triangle that is not culled.
-    pub(crate) fn fill(&mut self, cx: &Context, t: &Triangle, mut p: [[i32; 2]; 3], area: i64, back: bool) {
+    pub(crate) fn fill(&mut self, cx: &SetupContext, t: &TriangleInput, mut p: [[i32; 2]; 3], area: i64, back: bool) {
         let bounds = bounds(&p);
         let rect = bounds.and(cx.rs.area);
         if area == 0 || rect.is_empty() {
@@ -139,7 +139,7 @@ impl Geometry {
             if bits == 0 {
                 return;
             }
-            (Cover::Mask { x: bounds.x0, y: bounds.y0, bits }, u64::from(bits.count_ones()))
+            (Coverage::Mask { x: bounds.x0, y: bounds.y0, bits }, u64::from(bits.count_ones()))
         } else {
             self.edges(&p, rect)
         };
@@ -149,29 +149,37 @@ impl Geometry {
 
     /// Keeps the edges of a counter-clockwise triangle: its cover, and about how many pixels that is.
     #[inline]
-    pub(crate) fn edges(&mut self, p: &[[i32; 2]; 3], rect: Rect) -> (Cover, u64) {
+    pub(crate) fn edges(&mut self, p: &[[i32; 2]; 3], rect: Rect) -> (Coverage, u64) {
         self.edges.push(Edges::new(p, rect));
         let pixels = i64::from(rect.x1 - rect.x0) * i64::from(rect.y1 - rect.y0) / 2;
-        (Cover::Edges(index(self.edges.len() - 1)), pixels.unsigned_abs())
+        (Coverage::Edges(index(self.edges.len() - 1)), pixels.unsigned_abs())
     }
 
     /// The planes of a filled triangle, its slots in the pool.
     #[inline(always)]
-    pub(crate) fn triangle_planes(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode) -> Planes {
+    pub(crate) fn triangle_planes(
+        &mut self,
+        cx: &SetupContext,
+        t: &TriangleInput,
+        area: i64,
+        back: bool,
+        mode: Mode,
+    ) -> Planes {
         let v = t.v.map(|v| v.head);
         let (origin, det) = (origin(&v), pixels(area));
         let (z, _) = depth(cx, &v, origin, det, mode);
         let basis = basis(&v, origin, det);
         let mut planes = Planes { origin, z, ..Planes::default() };
-        let values = Values { corner: t.v.map(|v| v.slots), provoking: t.provoking, back, w: v.map(|v| v.clip[3]) };
-        cx.recipe.planes(&basis, &values, &mut planes, &mut self.pool);
+        let values =
+            CornerValues { corner: t.v.map(|v| v.slots), provoking: t.provoking, back, w: v.map(|v| v.clip[3]) };
+        cx.plan.planes(&basis, &values, &mut planes, &mut self.pool);
         planes
     }
 }
 
-impl Geometry {
+impl SceneGeometry {
     /// Polygon modes LINE and POINT: the boundary edges as lines, or the vertices that begin them as points.
-    fn outline(&mut self, cx: &Context, t: &Triangle, area: i64, back: bool, mode: Mode, stipple: &mut u32) {
+    fn outline(&mut self, cx: &SetupContext, t: &TriangleInput, area: i64, back: bool, mode: Mode, stipple: &mut u32) {
         let offset = if area == 0 {
             if cx.rs.offset[mode as usize] { cx.rs.offset_units } else { 0.0 }
         } else {
@@ -188,10 +196,10 @@ impl Geometry {
             match mode {
                 _ if !boundary => {}
                 Mode::Point if cx.rs.viewport.holds(v.head.snapped) => {
-                    self.point(cx, &Dot { v, provoking, back, offset });
+                    self.point(cx, &PointInput { v, provoking, back, offset });
                 }
                 Mode::Point => {}
-                _ => self.line(cx, &Segment { v: [v, next], provoking, back, offset }, stipple),
+                _ => self.line(cx, &LineInput { v: [v, next], provoking, back, offset }, stipple),
             }
         }
     }
@@ -199,7 +207,7 @@ impl Geometry {
 
 /// The bits of a small triangle's mask that may be drawn: clip rectangle and polygon stipple.
 #[inline]
-pub(crate) fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
+pub(crate) fn clip_mask(cx: &SetupContext, bounds: Rect, rect: Rect) -> u64 {
     let stipple = cx.rs.polygon_stipple.as_deref();
     if rect == bounds && stipple.is_none() {
         return u64::MAX;
@@ -218,16 +226,16 @@ pub(crate) fn clip_mask(cx: &Context, bounds: Rect, rect: Rect) -> u64 {
 mod tests {
     use crate::enums::*;
     use crate::raster::VertexRef;
-    use crate::raster::testing::{Board, Random, vertex};
+    use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::state::State;
 
     const CCW: [[f64; 2]; 3] = [[2.0, 2.0], [30.0, 3.0], [4.0, 28.0]];
     const CW: [[f64; 2]; 3] = [[4.0, 28.0], [30.0, 3.0], [2.0, 2.0]];
 
     fn count(change: impl Fn(&mut State), p: [[f64; 2]; 3]) -> u32 {
-        let mut board = Board::new(32, 0, 1, 64, change);
-        board.plain(p);
-        board.hits().iter().sum()
+        let mut canvas = TestCanvas::new(32, 0, 1, 64, change);
+        canvas.plain(p);
+        canvas.hits().iter().sum()
     }
 
     #[test]
@@ -250,17 +258,17 @@ mod tests {
 
     #[test]
     fn small_triangles_without_a_centre_cost_nothing() {
-        let mut board = Board::new(32, 2, 1, 64, |_| {});
+        let mut canvas = TestCanvas::new(32, 2, 1, 64, |_| {});
         for p in [
             [[3.6, 3.6], [4.4, 3.6], [3.6, 4.4]],
             [[1.0, 1.0], [1.0, 1.0], [9.0, 9.0]],
             [[40.0, 1.0], [44.0, 1.0], [40.0, 5.0]],
         ] {
-            board.triangle(&p.map(|[x, y]| vertex(x, y, 0.5, 1.0)), &[vec![0.0; 2], vec![1.0; 2], vec![2.0; 2]]);
+            canvas.triangle(&p.map(|[x, y]| vertex(x, y, 0.5, 1.0)), &[vec![0.0; 2], vec![1.0; 2], vec![2.0; 2]]);
         }
-        board.scene.settle();
-        assert!(board.scene.is_empty());
-        assert_eq!(board.scene.memory(), 0);
+        canvas.scene.flush_batch();
+        assert!(canvas.scene.is_empty());
+        assert_eq!(canvas.scene.memory(), 0);
     }
 
     #[test]
@@ -272,9 +280,9 @@ mod tests {
             [([true; 3], 18 + 18 + 10, 3), ([true, false, true], 18 + 10, 2), ([false; 3], 0, 0)]
         {
             for (mode, want) in [(mode(GL_LINE), lines), (mode(GL_POINT), points)] {
-                let mut board = Board::new(32, 0, 1, 64, mode);
-                board.scene.triangle([0, 1, 2].map(|i: usize| VertexRef { head: &v[i], slots: &[] }), 2, edges);
-                assert_eq!(board.hits().iter().sum::<u32>(), want, "{edges:?}");
+                let mut canvas = TestCanvas::new(32, 0, 1, 64, mode);
+                canvas.scene.triangle([0, 1, 2].map(|i: usize| VertexRef { head: &v[i], slots: &[] }), 2, edges);
+                assert_eq!(canvas.hits().iter().sum::<u32>(), want, "{edges:?}");
             }
         }
         // Edge-on polygons still have edges; they are back faces.
@@ -284,14 +292,14 @@ mod tests {
     #[test]
     fn offset_follows_the_slope() {
         let z = |change: fn(&mut State), mode: u32| {
-            let mut board = Board::new(32, 1, 1, 64, |state| {
+            let mut canvas = TestCanvas::new(32, 1, 1, 64, |state| {
                 (state.polygon.offset_factor, state.polygon.offset_units) = (2.0, 3.0);
                 state.polygon.mode = [mode; 2];
                 change(state);
             });
             let v = [vertex(0.0, 0.0, 0.0, 1.0), vertex(32.0, 0.0, 0.25, 1.0), vertex(0.0, 32.0, 0.5, 1.0)];
-            board.triangle(&v, &[vec![0.0], vec![0.0], vec![0.0]]);
-            board.seen()
+            canvas.triangle(&v, &[vec![0.0], vec![0.0], vec![0.0]]);
+            canvas.seen()
         };
         // The greater slope is 1/2 over 32 pixels.
         let want = 2.0 * (0.5 / 32.0) * 16_777_215.0 + 3.0;
@@ -319,8 +327,8 @@ mod tests {
             state.scissor.enabled = true;
             (state.scissor.x, state.scissor.y, state.scissor.width, state.scissor.height) = (5, 9, 71, 43);
         };
-        let mut all = Board::new(96, 1, 1, 64, |_| {});
-        let mut some = Board::new(96, 1, 3, 23, masked);
+        let mut all = TestCanvas::new(96, 1, 1, 64, |_| {});
+        let mut some = TestCanvas::new(96, 1, 3, 23, masked);
         for round in 0..600 {
             let size = [3.0, 8.0, 60.0][round % 3];
             let at = [random.between(0.0, 90.0), random.between(0.0, 90.0)];
@@ -348,7 +356,7 @@ mod tests {
     fn threads_and_cuts_change_no_bit() {
         let draw = |threads: usize, cut: usize| {
             let mut random = Random(32);
-            let mut board = Board::new(300, 2, threads, cut, |_| {});
+            let mut canvas = TestCanvas::new(300, 2, threads, cut, |_| {});
             for round in 0..900 {
                 let size = [4.0, 12.0, 200.0][round % 3];
                 let at = [random.between(-20.0, 300.0), random.between(-20.0, 300.0)];
@@ -361,10 +369,10 @@ mod tests {
                     )
                 });
                 let slots = [0; 3].map(|_| vec![random.unit() as f32, random.unit() as f32]);
-                board.triangle(&v, &slots);
+                canvas.triangle(&v, &slots);
             }
-            let hits = board.hits();
-            let mut seen: Vec<_> = board
+            let hits = canvas.hits();
+            let mut seen: Vec<_> = canvas
                 .seen()
                 .into_iter()
                 .map(|s| (s.at, s.z.to_bits(), s.values.iter().map(|v| v.to_bits()).collect::<Vec<_>>()))

@@ -57,7 +57,7 @@ impl Weights {
 
     /// The planes of four slots: loops over arrays, without branches on the values.
     #[inline(always)]
-    fn four(&self, f0: &[f32; 4], f1: &[f32; 4], f2: &[f32; 4], out: &mut Four) {
+    fn four(&self, f0: &[f32; 4], f1: &[f32; 4], f2: &[f32; 4], out: &mut FourPlanes) {
         let Self { d, b1, b2, scale, .. } = self;
         let (mut at, mut x, mut y) = ([0.0; 4], [0.0; 4], [0.0; 4]);
         for i in 0..4 {
@@ -90,7 +90,7 @@ impl Weights {
 /// Planes of four slots, value by value, so that they are computed by vector instructions.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(32))]
-pub(crate) struct Four {
+pub(crate) struct FourPlanes {
     n0: [f64; 4],
     nx: [f64; 4],
     ny: [f64; 4],
@@ -101,7 +101,7 @@ pub(crate) struct Four {
     max: [f32; 4],
 }
 
-impl Four {
+impl FourPlanes {
     pub(crate) fn plane(&self, i: usize) -> Plane {
         let Self { n0, nx, ny, c, min, max, .. } = self;
         Plane { c: c[i], min: min[i], max: max[i], n0: n0[i], nx: nx[i], ny: ny[i] }
@@ -109,11 +109,11 @@ impl Four {
 }
 
 /// Makes planes of four slots of three corners.
-pub(crate) type FourFn = unsafe fn(&Weights, [&[f32; 4]; 3], &mut Four);
+pub(crate) type FourPlanesFn = unsafe fn(&Weights, [&[f32; 4]; 3], &mut FourPlanes);
 
 stage! {
     /// Planes of four slots.
-    pub(crate) fn FOUR: FourFn = (weights: &Weights, slots: [&[f32; 4]; 3], out: &mut Four) {
+    pub(crate) fn FOUR: FourPlanesFn = (weights: &Weights, slots: [&[f32; 4]; 3], out: &mut FourPlanes) {
         weights.four(slots[0], slots[1], slots[2], out);
     }
 }

@@ -9,22 +9,22 @@ pub const MOST_SLOTS: usize = 40;
 /// Corners of triangles.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub struct Corners {
+pub struct CornerLanes {
     /// w, window x, y and z of each corner, in the order of a vertex.
-    pub place: [[[f64; GROUP]; 4]; 3],
+    pub position: [[[f64; GROUP]; 4]; 3],
     /// Snapped x and y of each corner.
     pub snapped: [[[i32; GROUP]; 2]; 3],
     /// Each slot at each corner.
     pub slots: [[[f32; GROUP]; 3]; MOST_SLOTS],
 }
 
-impl Default for Corners {
+impl Default for CornerLanes {
     fn default() -> Self {
-        Self { place: [[[0.0; GROUP]; 4]; 3], snapped: [[[0; GROUP]; 2]; 3], slots: [[[0.0; GROUP]; 3]; MOST_SLOTS] }
+        Self { position: [[[0.0; GROUP]; 4]; 3], snapped: [[[0; GROUP]; 2]; 3], slots: [[[0.0; GROUP]; 3]; MOST_SLOTS] }
     }
 }
 
-impl Corners {
+impl CornerLanes {
     /// The slots of a corner, as many as there is room for.
     pub(crate) fn slots(&self, lane: usize, corner: usize, to: &mut [f32]) {
         for (to, from) in to.iter_mut().zip(&self.slots) {
@@ -34,7 +34,7 @@ impl Corners {
 
     /// The vertex at a corner, as far as planes depend on it.
     pub(crate) fn vertex(&self, lane: usize, corner: usize) -> Vertex {
-        let [w, x, y, z] = self.place[corner].map(|lanes| lanes[lane]);
+        let [w, x, y, z] = self.position[corner].map(|lanes| lanes[lane]);
         let snapped = self.snapped[corner].map(|lanes| lanes[lane]);
         Vertex { clip: [0.0, 0.0, 0.0, w], window: [x, y, z], snapped, ..Vertex::default() }
     }

@@ -11,7 +11,7 @@
 use crate::fragment::planes::GROUP;
 
 /// One integer for each triangle of a group.
-pub(crate) type Ints = [i32; GROUP];
+pub(crate) type I32x16 = [i32; GROUP];
 
 const ONES: u64 = 0x0001_0001_0001_0001;
 const COUNT: u64 = 0x0003_0002_0001_0000;
@@ -21,7 +21,13 @@ const TOP: u64 = 0x8000_8000_8000_8000;
 /// `first`. The edge runs between two corners of a triangle that winds counter-clockwise where `turn` is 0; where it is
 /// all ones, the triangle winds clockwise and the edge runs the other way.
 #[inline(always)]
-pub(crate) fn edge_function(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2], i: usize) -> [i32; 3] {
+pub(crate) fn edge_function(
+    p: &[I32x16; 2],
+    q: &[I32x16; 2],
+    turn: &I32x16,
+    first: &[I32x16; 2],
+    i: usize,
+) -> [i32; 3] {
     // E vanishes on the whole edge, so that either end will do for p.
     let (a, b) = (p[1][i] - q[1][i], q[0][i] - p[0][i]);
     let (a, b) = ((a ^ turn[i]) - turn[i], (b ^ turn[i]) - turn[i]);
@@ -33,7 +39,7 @@ pub(crate) fn edge_function(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[
 
 /// All ones where a triangle winds clockwise.
 #[inline(always)]
-pub(crate) fn turns(area: &Ints) -> Ints {
+pub(crate) fn turns(area: &I32x16) -> I32x16 {
     let mut turn = [0; GROUP];
     for i in 0..GROUP {
         turn[i] = area[i] >> 31;
@@ -42,17 +48,17 @@ pub(crate) fn turns(area: &Ints) -> Ints {
 }
 
 /// An edge of each triangle: its function at the first four pixels of a row, and its change to the next row.
-struct Edge {
+struct MaskEdges {
     row: [u64; GROUP],
     /// What four columns to the right add.
     right: [u64; GROUP],
     up: [u64; GROUP],
 }
 
-impl Edge {
+impl MaskEdges {
     /// The edge between two corners, as [`edge_function`] has it. `first` is the pixel where masks begin.
     #[inline(always)]
-    fn new(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2]) -> Self {
+    fn new(p: &[I32x16; 2], q: &[I32x16; 2], turn: &I32x16, first: &[I32x16; 2]) -> Self {
         let mut edge = Self { row: [0; GROUP], right: [0; GROUP], up: [0; GROUP] };
         for i in 0..GROUP {
             let [a, b, c] = edge_function(p, q, turn, first, i);
@@ -74,7 +80,7 @@ impl Edge {
 
 /// Four columns of all masks: bit (16 column + row + `at`) is set where all three functions are not negative.
 #[inline(always)]
-fn columns([e0, e1, e2]: &[Edge; 3], rows: u32, at: u32, out: &mut [u64; GROUP]) {
+fn columns([e0, e1, e2]: &[MaskEdges; 3], rows: u32, at: u32, out: &mut [u64; GROUP]) {
     let (mut r0, mut r1, mut r2) = (e0.row, e1.row, e2.row);
     for j in 0..rows.min(8) {
         let down = 15 - at - j;
@@ -109,22 +115,22 @@ fn in_rows(x: u64) -> u64 {
 /// `height` are those of the largest bounding box, at most 8.
 #[inline(always)]
 pub(crate) fn masks(
-    p: &[[Ints; 2]; 3],
-    area: &Ints,
-    first: &[Ints; 2],
+    p: &[[I32x16; 2]; 3],
+    area: &I32x16,
+    first: &[I32x16; 2],
     [width, height]: [u32; 2],
     out: &mut [u64; GROUP],
 ) {
     let turn = turns(area);
     let mut edges = [
-        Edge::new(&p[0], &p[1], &turn, first),
-        Edge::new(&p[1], &p[2], &turn, first),
-        Edge::new(&p[2], &p[0], &turn, first),
+        MaskEdges::new(&p[0], &p[1], &turn, first),
+        MaskEdges::new(&p[1], &p[2], &turn, first),
+        MaskEdges::new(&p[2], &p[0], &turn, first),
     ];
     *out = [0; GROUP];
     columns(&edges, height, 0, out);
     if width > 4 {
-        edges.iter_mut().for_each(Edge::go_right);
+        edges.iter_mut().for_each(MaskEdges::go_right);
         columns(&edges, height, 8, out);
     }
     for i in 0..GROUP {

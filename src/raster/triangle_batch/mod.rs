@@ -1,10 +1,10 @@
 //! Filled triangles wait for each other until there are as many as a group holds, and are then set up together, a triangle
-//! a lane: facing and culling, masks, planes. Those that are not small (8 by 8 pixels) have edges in place of a mask, and the
+//! a lane: facing and culling, masks, planes. Those that are not small (8 by 8 pixels) have edges in position of a mask, and the
 //! large ones (above 16 by 16) are then set up alone. What waits is filed before anything else is, so that the order of
 //! issue is kept.
 //!
 //! Corners come one by one, their slots in quads: those of slots 0 to 3, 4 to 7 and so on, and one of the last four slots
-//! where their number is no multiple of 4 (then some are in two quads). They are turned into [`Corners`], unless somebody
+//! where their number is no multiple of 4 (then some are in two quads). They are turned into [`CornerLanes`], unless somebody
 //! has them in that form already.
 
 pub(super) mod corners;
@@ -14,55 +14,55 @@ pub(super) mod rows;
 
 use crate::fragment::planes::{GROUP, Linear, Planes};
 use crate::raster::VertexRef;
-use crate::raster::geometry::{Context, Cover, Geometry, Prim, index};
-use crate::raster::setup::triangle::{Triangle, clip_mask};
+use crate::raster::geometry::{Coverage, Prim, SceneGeometry, SetupContext, index};
+use crate::raster::setup::triangle::{TriangleInput, clip_mask};
 use crate::raster::state::{Mode, Rect};
 use crate::raster::vertex::{Vertices, twice_area};
-use corners::{Corners, MOST_SLOTS};
-use masks::Ints;
-use planes::{ALONE, Bases, Floats, Linears, MASK, NOTHING, View};
-use rows::{Ends, ROWS, Rows};
+use corners::{CornerLanes, MOST_SLOTS};
+use masks::I32x16;
+use planes::{ALONE, BasisLanes, BatchState, F64x16, LinearLanes, MASK, NOTHING};
+use rows::{ROWS, RowCoverage, RowEnds};
 
 /// Triangles on their way to being filed.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub(crate) struct Group {
+pub(crate) struct TriangleBatch {
     /// Slots of each corner.
     pub quads: [[[[f32; 4]; GROUP]; 3]; MOST_SLOTS / 4],
     /// w, window x, y and z of each corner, in the order of a vertex.
-    pub place: [[[f64; 4]; GROUP]; 3],
+    pub position: [[[f64; 4]; GROUP]; 3],
     /// The same, and the snapped positions, a triangle a lane.
-    pub corners: Corners,
+    pub corners: CornerLanes,
     /// The first pixel of each bounding box, and the one after the last.
-    pub first: [Ints; 2],
-    pub last: [Ints; 2],
+    pub first: [I32x16; 2],
+    pub last: [I32x16; 2],
     /// What becomes of each triangle.
-    pub kind: Ints,
+    pub kind: I32x16,
     /// Whether its bounding box leaves what may be written.
-    pub cut: Ints,
+    pub cut: I32x16,
     /// The result: covered pixels, before clipping.
     pub bits: [u64; GROUP],
     /// The rows of triangles that are too large for that.
-    pub ends: Ends,
+    pub ends: RowEnds,
     /// How many pixels those cover.
-    pub pixels: Ints,
-    pub area: Ints,
-    pub origin: [Ints; 2],
-    pub z: Linears,
-    pub bases: Bases,
+    pub pixels: I32x16,
+    pub area: I32x16,
+    pub origin: [I32x16; 2],
+    pub z: LinearLanes,
+    pub bases: BasisLanes,
     pub affine: [bool; GROUP],
     /// NaN where a triangle must be done alone.
-    pub odd: Floats,
+    pub odd: F64x16,
     /// How many triangles there are.
     pub count: usize,
 }
 
-impl Default for Group {
+impl Default for TriangleBatch {
     fn default() -> Self {
         Self {
             quads: [[[[0.0; 4]; GROUP]; 3]; MOST_SLOTS / 4],
-            place: [[[0.0; 4]; GROUP]; 3],
-            corners: Corners::default(),
+            position: [[[0.0; 4]; GROUP]; 3],
+            corners: CornerLanes::default(),
             first: [[0; GROUP]; 2],
             last: [[0; GROUP]; 2],
             kind: [NOTHING; GROUP],
@@ -72,8 +72,8 @@ impl Default for Group {
             pixels: [0; GROUP],
             area: [0; GROUP],
             origin: [[0; GROUP]; 2],
-            z: Linears::default(),
-            bases: Bases::default(),
+            z: LinearLanes::default(),
+            bases: BasisLanes::default(),
             affine: [true; GROUP],
             odd: [0.0; GROUP],
             count: 0,
@@ -81,7 +81,7 @@ impl Default for Group {
     }
 }
 
-/// The quad that holds a slot of so many, and the slot's place in it.
+/// The quad that holds a slot of so many, and the slot's position in it.
 #[inline(always)]
 pub(crate) const fn quad_of(count: usize, slot: usize) -> (usize, usize) {
     let whole = count / 4;
@@ -94,8 +94,8 @@ pub(crate) const fn quad_of(count: usize, slot: usize) -> (usize, usize) {
     }
 }
 
-impl Group {
-    /// Puts the slots of a triangle's corners in place. False where a vertex lacks some.
+impl TriangleBatch {
+    /// Puts the slots of a triangle's corners in position. False where a vertex lacks some.
     #[inline]
     fn put_slots(&mut self, v: &[VertexRef<'_>; 3], count: usize) -> bool {
         let lane = self.count % GROUP;
@@ -119,16 +119,16 @@ impl Group {
         true
     }
 
-    /// Puts triangles in place, as many as there is room for.
+    /// Puts triangles in position, as many as there is room for.
     #[inline]
     fn put(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], count: usize) {
         let lanes = self.count..GROUP;
         for corner in 0..3 {
-            let (place, [xs, ys]) = (&mut self.place[corner], &mut self.corners.snapped[corner]);
+            let (position, [xs, ys]) = (&mut self.position[corner], &mut self.corners.snapped[corner]);
             for (ids, lane) in triangles.iter().zip(lanes.clone()) {
                 let Some(v) = vertices.head.get(ids[corner] as usize) else { continue };
                 let [x, y, z] = v.window;
-                place[lane] = [v.clip[3], x, y, z];
+                position[lane] = [v.clip[3], x, y, z];
                 [xs[lane], ys[lane]] = v.snapped;
             }
             for (k, quad) in self.quads.iter_mut().enumerate().take(count.div_ceil(4)) {
@@ -145,11 +145,11 @@ impl Group {
         self.count = (self.count + triangles.len()).min(GROUP);
     }
 
-    /// Puts colours in place that are not simply those of the corners: flat shading, back faces.
-    fn put_colors(&mut self, cx: &Context, t: &Triangle, back: bool) {
+    /// Puts colours in position that are not simply those of the corners: flat shading, back faces.
+    fn put_colors(&mut self, cx: &SetupContext, t: &TriangleInput, back: bool) {
         let lane = self.count % GROUP;
-        let layout = cx.recipe.layout();
-        for (to, from, n) in cx.recipe.color_slots(back) {
+        let layout = cx.plan.layout();
+        for (to, from, n) in cx.plan.color_slots(back) {
             for k in 0..n {
                 let (quad, column) = quad_of(layout.count, to + k);
                 for (corner, v) in t.v.iter().enumerate() {
@@ -163,13 +163,13 @@ impl Group {
     }
 }
 
-impl Geometry {
+impl SceneGeometry {
     /// Lets a filled triangle wait. False, and nothing done, where a vertex lacks slots.
     #[inline]
-    pub(crate) fn wait(&mut self, cx: &Context, t: &Triangle) -> bool {
+    pub(crate) fn wait(&mut self, cx: &SetupContext, t: &TriangleInput) -> bool {
         let group = &mut *self.group;
         let lane = group.count % GROUP;
-        let layout = cx.recipe.layout();
+        let layout = cx.plan.layout();
         if !group.put_slots(&t.v, layout.count) {
             return false;
         }
@@ -179,7 +179,7 @@ impl Geometry {
         }
         for (corner, v) in t.v.iter().enumerate() {
             let [x, y, z] = v.head.window;
-            group.place[corner][lane] = [v.head.clip[3], x, y, z];
+            group.position[corner][lane] = [v.head.clip[3], x, y, z];
             for k in 0..2 {
                 group.corners.snapped[corner][k][lane] = v.head.snapped[k];
             }
@@ -192,18 +192,18 @@ impl Geometry {
     }
 
     /// Whether triangles may wait [many at a time](Self::wait_all): where each corner has its own colours.
-    pub(crate) fn takes_many(cx: &Context, stride: usize) -> bool {
-        let layout = cx.recipe.layout();
-        cx.recipe.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= stride
+    pub(crate) fn takes_many(cx: &SetupContext, stride: usize) -> bool {
+        let layout = cx.plan.layout();
+        cx.plan.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= stride
     }
 
     /// Lets filled triangles wait, whose corners are some of many vertices.
-    pub(crate) fn wait_all(&mut self, cx: &Context, vertices: &Vertices, triangles: &[[u32; 3]]) {
+    pub(crate) fn wait_all(&mut self, cx: &SetupContext, vertices: &Vertices, triangles: &[[u32; 3]]) {
         let mut rest = triangles;
         while !rest.is_empty() {
             let free = GROUP - self.group.count % GROUP;
             let (now, later) = rest.split_at(free.min(rest.len()));
-            self.group.put(vertices, now, cx.recipe.layout().count);
+            self.group.put(vertices, now, cx.plan.layout().count);
             rest = later;
             if self.group.count == GROUP {
                 self.file_group(cx);
@@ -212,33 +212,33 @@ impl Geometry {
     }
 
     /// Files the triangles that wait.
-    pub(crate) fn settle(&mut self, cx: &Context) {
+    pub(crate) fn flush_batch(&mut self, cx: &SetupContext) {
         if self.group.count > 0 {
             self.file_group(cx);
         }
     }
 
-    /// Files triangles whose corners `fill` puts in place, a triangle a lane, in the first lanes.
-    pub(crate) fn file_corners(&mut self, cx: &Context, count: usize, fill: impl FnOnce(&mut Corners)) {
-        self.settle(cx);
+    /// Files triangles whose corners `fill` puts in position, a triangle a lane, in the first lanes.
+    pub(crate) fn file_corners(&mut self, cx: &SetupContext, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
+        self.flush_batch(cx);
         fill(&mut self.group.corners);
         self.file_lanes(cx, count.min(GROUP));
     }
 
-    fn file_group(&mut self, cx: &Context) {
+    fn file_group(&mut self, cx: &SetupContext) {
         let count = std::mem::take(&mut self.group.count).min(GROUP);
-        cx.recipe.turn(&mut self.group);
+        cx.plan.turn(&mut self.group);
         self.file_lanes(cx, count);
     }
 
     /// Files the triangles of so many lanes.
-    fn file_lanes(&mut self, cx: &Context, count: usize) {
+    fn file_lanes(&mut self, cx: &SetupContext, count: usize) {
         let rs = cx.rs;
         let offset = rs.offset[Mode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
         let (ccw, cw) = if rs.ccw_is_front { (0, 1) } else { (1, 0) };
         let culls = [rs.cull[ccw], rs.cull[cw]];
-        let (first, planes) = self.pool.more_groups(cx.recipe.layout().count);
-        cx.recipe.group(&mut self.group, &View { area: rs.area, culls, scale: rs.depth_scale, offset }, planes);
+        let (first, planes) = self.pool.more_groups(cx.plan.layout().count);
+        cx.plan.group(&mut self.group, &BatchState { area: rs.area, culls, scale: rs.depth_scale, offset }, planes);
         let mut used = false;
         for lane in 0..count {
             match self.group.kind[lane] {
@@ -254,7 +254,7 @@ impl Geometry {
 
     /// Files a member of a group whose planes begin somewhere. False where it has no pixel.
     #[inline]
-    fn file_member(&mut self, cx: &Context, lane: usize, first: u32, kind: i32) -> bool {
+    fn file_member(&mut self, cx: &SetupContext, lane: usize, first: u32, kind: i32) -> bool {
         let group = &*self.group;
         let [x, y] = [group.first[0][lane], group.first[1][lane]];
         let bounds = Rect { x0: x, y0: y, x1: group.last[0][lane], y1: group.last[1][lane] };
@@ -266,7 +266,7 @@ impl Geometry {
             if bits == 0 {
                 return false;
             }
-            (Cover::Mask { x, y, bits }, u64::from(bits.count_ones()))
+            (Coverage::Mask { x, y, bits }, u64::from(bits.count_ones()))
         } else {
             let mut pixels = u64::from(group.pixels[lane].unsigned_abs());
             if pixels == 0 {
@@ -274,7 +274,7 @@ impl Geometry {
             }
             // Put together where they are kept: on their way through a variable they would be read back before they are
             // written.
-            self.blocks.push(Rows::new([x, y], bounds.y1 - bounds.y0));
+            self.blocks.push(RowCoverage::new([x, y], bounds.y1 - bounds.y0));
             if let Some(rows) = self.blocks.last_mut() {
                 rows.take(&group.ends, lane);
                 if group.cut[lane] != 0 {
@@ -285,7 +285,7 @@ impl Geometry {
                 self.blocks.pop();
                 return false;
             }
-            (Cover::Rows(index(self.blocks.len() - 1)), pixels)
+            (Coverage::Rows(index(self.blocks.len() - 1)), pixels)
         };
         let group = &*self.group;
         if group.odd[lane].is_nan() {
@@ -295,7 +295,7 @@ impl Geometry {
             return true;
         }
         // Made where they are filed: on their way through a variable they would be read back before they are written.
-        let of = |l: &Linears| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
+        let of = |l: &LinearLanes| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
         self.prims.push(Prim { cover, draw: cx.draw });
         self.pixels += pixels;
         self.planes.push(Planes {
@@ -311,7 +311,7 @@ impl Geometry {
     }
 
     /// Files a triangle that has waited although it is large.
-    fn file_alone(&mut self, cx: &Context, lane: usize) {
+    fn file_alone(&mut self, cx: &SetupContext, lane: usize) {
         self.with_lane(cx, lane, |geometry, t, area| {
             let back = area == 0 || (area > 0) != cx.rs.ccw_is_front;
             if !cx.rs.cull[usize::from(back)] {
@@ -320,10 +320,15 @@ impl Geometry {
         });
     }
 
-    /// Does something with a waiting triangle and its area. Colours have been put in place already: those of the side
+    /// Does something with a waiting triangle and its area. Colours have been put in position already: those of the side
     /// that is seen, and of the provoking vertex.
-    fn with_lane<T>(&mut self, cx: &Context, lane: usize, run: impl FnOnce(&mut Self, &Triangle, i64) -> T) -> T {
-        let count = cx.recipe.layout().count;
+    fn with_lane<T>(
+        &mut self,
+        cx: &SetupContext,
+        lane: usize,
+        run: impl FnOnce(&mut Self, &TriangleInput, i64) -> T,
+    ) -> T {
+        let count = cx.plan.layout().count;
         let corners = &self.group.corners;
         let vertex = [0, 1, 2].map(|corner| corners.vertex(lane, corner));
         let mut room = [0.0; 3 * MOST_SLOTS];
@@ -333,7 +338,7 @@ impl Geometry {
         }
         let slots = |corner: usize| room.get(corner * count..(corner + 1) * count).unwrap_or_default();
         let v = [0, 1, 2].map(|corner: usize| VertexRef { head: &vertex[corner], slots: slots(corner) });
-        let t = Triangle { v, provoking: v[2].slots, edges: [true; 3] };
+        let t = TriangleInput { v, provoking: v[2].slots, edges: [true; 3] };
         run(self, &t, twice_area(&v.map(|v| v.head.snapped)))
     }
 }
@@ -342,7 +347,7 @@ impl Geometry {
 mod tests {
     use crate::enums::*;
     use crate::fragment::planes::{Layout, UnitSlots};
-    use crate::raster::testing::{Board, Random, vertex};
+    use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::raster::vertex::{Vertex, Vertices};
     use crate::simd::Level;
     use crate::state::State;
@@ -406,20 +411,20 @@ mod tests {
             };
             let ids: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
             let draw = |level: Option<Level>, many: bool| {
-                let mut board = Board::with_layout(64, layout.clone(), 1, 64, change);
+                let mut canvas = TestCanvas::with_layout(64, layout.clone(), 1, 64, change);
                 if let Some(level) = level {
-                    board.scene = crate::raster::Scene::new(1, 64).at_level(level);
-                    board.scene.begin_draw(board.draw.clone());
+                    canvas.scene = crate::raster::Scene::new(1, 64).at_level(level);
+                    canvas.scene.begin_draw(canvas.draw.clone());
                 } else {
-                    board.scene.group_nothing();
+                    canvas.scene.group_nothing();
                 }
-                let builder = board.scene.builder().filter(|builder| many && builder.takes_many(list.stride));
+                let builder = canvas.scene.builder().filter(|builder| many && builder.takes_many(list.stride));
                 if let Some(mut builder) = builder {
                     ids.chunks(11).for_each(|ids| builder.triangles(&list, ids));
                 } else {
-                    triangles.iter().for_each(|(v, slots)| board.triangle(v, slots));
+                    triangles.iter().for_each(|(v, slots)| canvas.triangle(v, slots));
                 }
-                let seen = board.seen();
+                let seen = canvas.seen();
                 let bits = |s: &crate::raster::testing::Seen| {
                     let values: Vec<_> = s.values.iter().map(|v| v.to_bits()).collect();
                     (s.at, s.z.to_bits(), values)

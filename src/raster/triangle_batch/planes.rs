@@ -5,7 +5,7 @@
 //! [`setup`]: crate::raster::setup::triangle
 //! [`weights`]: crate::raster::setup::weights
 
-use super::corners::Corners;
+use super::corners::CornerLanes;
 use super::masks::masks;
 use super::rows::{ROWS, rows};
 use crate::fragment::planes::{GROUP, Layout, PlaneGroup};
@@ -13,52 +13,52 @@ use crate::raster::setup::texcoord_planes::{LIMIT, whole_periods};
 use crate::raster::setup::triangle::LIMIT as LIMIT_OF_POSITIONS;
 use crate::raster::setup::weights::range;
 use crate::raster::state::Rect;
-use crate::raster::triangle_batch::Group;
+use crate::raster::triangle_batch::TriangleBatch;
 use crate::simd::stage;
 
 /// One number for each triangle.
-pub(crate) type Floats = [f64; GROUP];
-const ZERO: Floats = [0.0; GROUP];
+pub(crate) type F64x16 = [f64; GROUP];
+const ZERO: F64x16 = [0.0; GROUP];
 
 /// A linear function for each triangle.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Linears {
-    pub at: Floats,
-    pub x: Floats,
-    pub y: Floats,
+pub(crate) struct LinearLanes {
+    pub at: F64x16,
+    pub x: F64x16,
+    pub y: F64x16,
 }
 
-const LINEARS: Linears = Linears { at: ZERO, x: ZERO, y: ZERO };
+const LINEAR_LANES: LinearLanes = LinearLanes { at: ZERO, x: ZERO, y: ZERO };
 
 /// What interpolation needs of the triangles themselves; see [`Weights`](crate::raster::setup::weights::Weights).
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Bases {
-    pub d: Linears,
-    b: [Linears; 2],
-    far: Floats,
-    scale: Floats,
-    reach: [Floats; 2],
+pub(crate) struct BasisLanes {
+    pub d: LinearLanes,
+    b: [LinearLanes; 2],
+    far: F64x16,
+    scale: F64x16,
+    reach: [F64x16; 2],
     /// The greatest sum of terms of D; 0 where D is 1.
-    denominator: Floats,
+    denominator: F64x16,
 }
 
 /// What is to be computed of the state.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Rules {
+pub(crate) struct SlotRules {
     /// The coordinates that each slot belongs to, if any.
-    pub slots: Vec<Option<Coordinate>>,
+    pub slots: Vec<Option<TexcoordSlot>>,
 }
 
 /// A slot that is a texture coordinate.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Coordinate {
+pub(crate) struct TexcoordSlot {
     period: u8,
     texels: f64,
     cube: bool,
     last: bool,
 }
 
-impl Rules {
+impl SlotRules {
     /// Takes over a layout, none of whose units has a q.
     pub(crate) fn set(&mut self, layout: &Layout) {
         self.slots.clear();
@@ -67,7 +67,7 @@ impl Rules {
             for k in 0..unit.count.min(3) {
                 if let Some(slot) = self.slots.get_mut(unit.base + k) {
                     let (period, texels) = (unit.period[k], f64::from(unit.size[k]));
-                    *slot = Some(Coordinate { period, texels, cube: unit.cube, last: k + 1 == unit.count });
+                    *slot = Some(TexcoordSlot { period, texels, cube: unit.cube, last: k + 1 == unit.count });
                 }
             }
         }
@@ -76,7 +76,7 @@ impl Rules {
 
 /// What of the state decides over a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct View {
+pub(crate) struct BatchState {
     /// Where pixels may be written.
     pub area: Rect,
     /// Whether triangles that wind counter-clockwise, or do not, are culled.
@@ -102,12 +102,12 @@ const X: usize = 1;
 const Z: usize = 3;
 
 /// The numbers of each corner.
-type Places = [[Floats; 4]; 3];
+type CornerPositions = [[F64x16; 4]; 3];
 
 /// Corner by corner and triangle by triangle into lanes. All four are moved at once: a loop over some of them would be
 /// scalar code.
 #[inline(always)]
-fn lanes(quads: &[[[f64; 4]; GROUP]; 3], out: &mut Places) {
+fn lanes(quads: &[[[f64; 4]; GROUP]; 3], out: &mut CornerPositions) {
     for (quads, [a, b, c, d]) in quads.iter().zip(out) {
         for i in 0..GROUP {
             [a[i], b[i], c[i], d[i]] = quads[i];
@@ -128,13 +128,13 @@ fn slot_lanes(quads: &[[[f32; 4]; GROUP]; 3], out: &mut [[[f32; GROUP]; 3]; 4]) 
 }
 
 /// Turns the corners of so many slots into lanes.
-pub(crate) type TurnFn = unsafe fn(&mut Group, usize);
+pub(crate) type TurnFn = unsafe fn(&mut TriangleBatch, usize);
 
-/// Sets up a group: masks, and planes in one place a slot.
-pub(crate) type GroupFn = unsafe fn(&mut Group, &Rules, &View, &mut [PlaneGroup]);
+/// Sets up a group: masks, and planes in one position a slot.
+pub(crate) type GroupFn = unsafe fn(&mut TriangleBatch, &SlotRules, &BatchState, &mut [PlaneGroup]);
 
 /// What the members of a group are like.
-struct Members {
+struct BatchExtent {
     /// The largest width and height of masks.
     masks: [u32; 2],
     /// The most rows of the others.
@@ -145,8 +145,8 @@ struct Members {
 
 /// Bounding boxes, areas, and what becomes of each triangle.
 #[inline(always)]
-fn sort(group: &mut Group, view: &View) -> Members {
-    let Group { corners: Corners { snapped: p, .. }, first, last, area, kind, cut, .. } = group;
+fn sort(group: &mut TriangleBatch, view: &BatchState) -> BatchExtent {
+    let TriangleBatch { corners: CornerLanes { snapped: p, .. }, first, last, area, kind, cut, .. } = group;
     for i in 0..GROUP {
         // What is not within the limit comes to nothing: three times the same corner.
         let mut within = true;
@@ -190,13 +190,13 @@ fn sort(group: &mut Group, view: &View) -> Members {
         rows = rows.max(if size == BLOCK { y } else { 0 });
         members |= i32::from((size == MASK) | (size == BLOCK));
     }
-    Members { masks: [width, height].map(i32::unsigned_abs), rows: rows.unsigned_abs(), any: members != 0 }
+    BatchExtent { masks: [width, height].map(i32::unsigned_abs), rows: rows.unsigned_abs(), any: members != 0 }
 }
 
 /// The pixels that positions are relative to.
 #[inline(always)]
-fn origins(group: &mut Group) {
-    let Group { corners: Corners { snapped: p, place, .. }, first, origin, .. } = group;
+fn origins(group: &mut TriangleBatch) {
+    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, first, origin, .. } = group;
     for k in 0..2 {
         for i in 0..GROUP {
             // The mean of the three, a third at a time in whole pixels: it is between -1 and 17 from the box.
@@ -207,7 +207,7 @@ fn origins(group: &mut Group) {
     }
     let mut any = false;
     let varies = |i: usize| {
-        let [a, b, c] = [place[0][W][i], place[1][W][i], place[2][W][i]];
+        let [a, b, c] = [position[0][W][i], position[1][W][i], position[2][W][i]];
         let most = if b > a { b } else { a };
         let most = if c > most { c } else { most };
         (most, (most > 2.0 * a) | (most > 2.0 * b) | (most > 2.0 * c))
@@ -218,7 +218,7 @@ fn origins(group: &mut Group) {
     // Few small triangles have the far end for their origin.
     for i in (0..GROUP).filter(|_| any) {
         let (most, varies) = varies(i);
-        let far = (0..3).find(|c| place[*c][W][i] == most).unwrap_or(0);
+        let far = (0..3).find(|c| position[*c][W][i] == most).unwrap_or(0);
         for k in 0..2 {
             origin[k][i] = if varies { p[far][k][i] >> 8 } else { origin[k][i] };
         }
@@ -227,11 +227,11 @@ fn origins(group: &mut Group) {
 
 /// The depth planes, from snapped positions.
 #[inline(always)]
-fn depths(group: &mut Group, view: &View, odd: &mut Floats) {
-    let Group { corners: Corners { snapped: p, place, .. }, origin, area, z, .. } = group;
+fn depths(group: &mut TriangleBatch, view: &BatchState, odd: &mut F64x16) {
+    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, z, .. } = group;
     for i in 0..GROUP {
         let det = f64::from(area[i]) * (1.0 / 65536.0);
-        let [z0, z1, z2] = [place[0][Z][i], place[1][Z][i], place[2][Z][i]].map(|z| z * view.scale);
+        let [z0, z1, z2] = [position[0][Z][i], position[1][Z][i], position[2][Z][i]].map(|z| z * view.scale);
         let edge = |c: usize, k: usize| f64::from(p[c][k][i] - p[0][k][i]) * (1.0 / 256.0);
         let (dz1, dz2, inv) = (z1 - z0, z2 - z0, 1.0 / det);
         let x = (dz1 * edge(2, 1) - dz2 * edge(1, 1)) * inv;
@@ -253,12 +253,12 @@ fn depths(group: &mut Group, view: &View, odd: &mut Floats) {
 
 /// The weights of the corners, from the unsnapped positions where their area is about that of the snapped ones.
 #[inline(always)]
-fn bases(group: &mut Group, odd: &mut Floats) {
-    let Group { corners: Corners { snapped: p, place, .. }, origin, area, bases, affine, .. } = group;
+fn bases(group: &mut TriangleBatch, odd: &mut F64x16) {
+    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, bases, affine, .. } = group;
     for i in 0..GROUP {
         let snapped_det = f64::from(area[i]) * (1.0 / 65536.0);
         let from = [0, 1].map(|k: usize| f64::from(origin[k][i]) + 0.5);
-        let exact = |c: usize, k: usize| place[c][X + k][i] - from[k];
+        let exact = |c: usize, k: usize| position[c][X + k][i] - from[k];
         let grid = |c: usize, k: usize| f64::from(p[c][k][i] - (origin[k][i] << 8) - 128) * (1.0 / 256.0);
         let det = (exact(1, 0) - exact(0, 0)) * (exact(2, 1) - exact(0, 1))
             - (exact(2, 0) - exact(0, 0)) * (exact(1, 1) - exact(0, 1));
@@ -278,25 +278,25 @@ fn bases(group: &mut Group, odd: &mut Floats) {
     }
     let mut most = false;
     for i in 0..GROUP {
-        let w = [place[0][W][i], place[1][W][i], place[2][W][i]];
+        let w = [position[0][W][i], position[1][W][i], position[2][W][i]];
         let same = (w[0] == w[1]) & (w[1] == w[2]);
         let usual = (range(w).0 > 0.0) & (w[0] + w[1] + w[2] < f64::INFINITY);
         affine[i] = same | !usual;
         most |= !affine[i];
     }
-    bases.d = Linears { at: [1.0; GROUP], ..LINEARS };
+    bases.d = LinearLanes { at: [1.0; GROUP], ..LINEAR_LANES };
     (bases.far, bases.scale, bases.denominator) = ([1.0; GROUP], [1.0; GROUP], ZERO);
     if most {
-        denominators(place, affine, bases, odd);
+        denominators(position, affine, bases, odd);
     }
 }
 
 /// D, and the weights that belong to it, where w varies.
 #[inline(always)]
-fn denominators(place: &Places, affine: &[bool; GROUP], bases: &mut Bases, odd: &mut Floats) {
-    let Bases { d, b: [b1, b2], far, scale, reach, denominator } = bases;
+fn denominators(position: &CornerPositions, affine: &[bool; GROUP], bases: &mut BasisLanes, odd: &mut F64x16) {
+    let BasisLanes { d, b: [b1, b2], far, scale, reach, denominator } = bases;
     for i in 0..GROUP {
-        let w = [place[0][W][i], place[1][W][i], place[2][W][i]];
+        let w = [position[0][W][i], position[1][W][i], position[2][W][i]];
         let least = range(w).0;
         let one = affine[i];
         let r = [least / w[0], least / w[1], least / w[2]];
@@ -321,15 +321,15 @@ fn denominators(place: &Places, affine: &[bool; GROUP], bases: &mut Bases, odd: 
 
 /// A slot's numerators before they are rounded.
 struct Numerators {
-    at: Floats,
-    x: Floats,
-    y: Floats,
+    at: F64x16,
+    x: F64x16,
+    y: F64x16,
 }
 
 /// The planes of one slot.
 #[inline(always)]
-fn slot(bases: &Bases, f: &[[f32; GROUP]; 3], odd: &mut Floats, out: &mut PlaneGroup) -> Numerators {
-    let Bases { d, b: [b1, b2], scale, .. } = bases;
+fn slot(bases: &BasisLanes, f: &[[f32; GROUP]; 3], odd: &mut F64x16, out: &mut PlaneGroup) -> Numerators {
+    let BasisLanes { d, b: [b1, b2], scale, .. } = bases;
     let mut n = Numerators { at: ZERO, x: ZERO, y: ZERO };
     let [f0, f1, f2] = f;
     for i in 0..GROUP {
@@ -354,17 +354,17 @@ fn slot(bases: &Bases, f: &[[f32; GROUP]; 3], odd: &mut Floats, out: &mut PlaneG
 }
 
 /// How large the terms of a unit's coordinates become, against how large they may.
-struct Terms {
-    error: Floats,
-    greatest: Floats,
+struct TexcoordError {
+    error: F64x16,
+    greatest: F64x16,
 }
 
-impl Terms {
+impl TexcoordError {
     const NONE: Self = Self { error: ZERO, greatest: ZERO };
 
     /// Takes in a coordinate, whose periods are still on.
     #[inline(always)]
-    fn coordinate(&mut self, bases: &Bases, of: &Coordinate, n: &Numerators, planes: &PlaneGroup) {
+    fn coordinate(&mut self, bases: &BasisLanes, of: &TexcoordSlot, n: &Numerators, planes: &PlaneGroup) {
         for i in 0..GROUP {
             let spread = f64::from(planes.max[i]) - f64::from(planes.min[i]);
             let bound = n.at[i].abs() + n.x[i].abs() * bases.reach[0][i] + n.y[i].abs() * bases.reach[1][i];
@@ -381,7 +381,7 @@ impl Terms {
 
     /// After the last coordinate of a unit: marks the triangles that may need f64.
     #[inline(always)]
-    fn finish(&mut self, bases: &Bases, odd: &mut Floats) {
+    fn finish(&mut self, bases: &BasisLanes, odd: &mut F64x16) {
         for i in 0..GROUP {
             let narrow = self.error[i] <= LIMIT * bases.far[i] * self.greatest[i];
             odd[i] = if narrow { odd[i] } else { f64::NAN };
@@ -406,9 +406,9 @@ fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
 
 stage! {
     /// The corners of a group into lanes.
-    pub(crate) fn TURN_GROUP: TurnFn = (group: &mut Group, count: usize) {
-        let Group { quads, place, corners, .. } = group;
-        lanes(place, &mut corners.place);
+    pub(crate) fn TURN_GROUP: TurnFn = (group: &mut TriangleBatch, count: usize) {
+        let TriangleBatch { quads, position, corners, .. } = group;
+        lanes(position, &mut corners.position);
         // The last one first: what it has of the slots of the one before it may be other colours than it should be.
         for (k, quad) in quads.iter().enumerate().take(count.div_ceil(4)).rev() {
             let first = (4 * k).min(count.max(4) - 4);
@@ -419,7 +419,7 @@ stage! {
     }
 
     /// Masks and planes of a group.
-    pub(crate) fn SET_UP_GROUP: GroupFn = (group: &mut Group, rules: &Rules, view: &View, out: &mut [PlaneGroup]) {
+    pub(crate) fn SET_UP_GROUP: GroupFn = (group: &mut TriangleBatch, rules: &SlotRules, view: &BatchState, out: &mut [PlaneGroup]) {
         let members = sort(group, view);
         if !members.any {
             return;
@@ -432,7 +432,7 @@ stage! {
         }
         depths(group, view, &mut odd);
         bases(group, &mut odd);
-        let mut terms = Terms::NONE;
+        let mut terms = TexcoordError::NONE;
         for (rule, (f, planes)) in rules.slots.iter().zip(group.corners.slots.iter().zip(out)) {
             let numerators = slot(&group.bases, f, &mut odd, planes);
             if let Some(of) = rule {

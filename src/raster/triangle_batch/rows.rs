@@ -5,7 +5,7 @@
 //!
 //! [`polygon`]: crate::raster::setup::coverage
 
-use super::masks::{Ints, edge_function, turns};
+use super::masks::{I32x16, edge_function, turns};
 use crate::fragment::planes::GROUP;
 use crate::num::MAGIC_F64;
 use crate::raster::state::Rect;
@@ -14,11 +14,11 @@ use crate::raster::state::Rect;
 pub(crate) const ROWS: usize = 16;
 
 /// For each row and triangle: its first covered column, and 256 times the one after its last.
-pub(crate) type Ends = [[u16; GROUP]; ROWS];
+pub(crate) type RowEnds = [[u16; GROUP]; ROWS];
 
 /// The covered pixels of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Rows {
+pub struct RowCoverage {
     /// The pixel that columns and rows count from.
     pub x: i32,
     /// Its row.
@@ -29,7 +29,7 @@ pub struct Rows {
     pub ends: [[u8; 2]; ROWS],
 }
 
-impl Rows {
+impl RowCoverage {
     /// None yet, of a triangle whose bounding box begins at a pixel and has some rows.
     #[inline]
     pub(crate) const fn new([x, y]: [i32; 2], height: i32) -> Self {
@@ -39,7 +39,7 @@ impl Rows {
     /// Takes those of a triangle of a group, to be called where they are kept: as many as there may be, since how many
     /// there are is not to be foreseen.
     #[inline]
-    pub(crate) fn take(&mut self, ends: &Ends, lane: usize) {
+    pub(crate) fn take(&mut self, ends: &RowEnds, lane: usize) {
         for (to, from) in self.ends.iter_mut().zip(ends) {
             *to = from[lane % GROUP].to_le_bytes();
         }
@@ -77,22 +77,22 @@ impl Rows {
 }
 
 /// An edge of each triangle: the quotient of its function in a row by |a|, kept exact with its remainder.
-struct Step {
+struct EdgeSteppers {
     /// All ones where the inside lies to the right; where it lies to the left; where the edge crosses no row.
-    right: Ints,
-    left: Ints,
-    level: Ints,
-    modulus: Ints,
-    quotient: Ints,
-    remainder: Ints,
-    quotient_step: Ints,
-    remainder_step: Ints,
+    right: I32x16,
+    left: I32x16,
+    level: I32x16,
+    modulus: I32x16,
+    quotient: I32x16,
+    remainder: I32x16,
+    quotient_step: I32x16,
+    remainder_step: I32x16,
 }
 
 /// Quotients, rounded down, and remainders. A float's quotient of two integers of 32 bits is rounded down to the right one:
 /// unless it is whole, it is farther away from the next whole number than it is rounded.
 #[inline(always)]
-fn divide(e: &Ints, modulus: &Ints) -> (Ints, Ints) {
+fn divide(e: &I32x16, modulus: &I32x16) -> (I32x16, I32x16) {
     let (mut quotient, mut remainder) = ([0; GROUP], [0; GROUP]);
     for i in 0..GROUP {
         let exact = f64::from(e[i]) / f64::from(modulus[i]);
@@ -103,10 +103,10 @@ fn divide(e: &Ints, modulus: &Ints) -> (Ints, Ints) {
     (quotient, remainder)
 }
 
-impl Step {
+impl EdgeSteppers {
     /// The edge between two corners, as [`edge_function`] has it. `first` is the pixel where rows and columns begin.
     #[inline(always)]
-    fn new(p: &[Ints; 2], q: &[Ints; 2], turn: &Ints, first: &[Ints; 2]) -> Self {
+    fn new(p: &[I32x16; 2], q: &[I32x16; 2], turn: &I32x16, first: &[I32x16; 2]) -> Self {
         let zero = [0; GROUP];
         let [mut e, mut b] = [zero; 2];
         let [mut right, mut left, mut level, mut modulus] = [zero; 4];
@@ -122,7 +122,7 @@ impl Step {
 
     /// Cuts the columns of this row down to those inside the edge, and goes on to the next row.
     #[inline(always)]
-    fn narrow(&mut self, low: &mut Ints, high: &mut Ints) {
+    fn narrow(&mut self, low: &mut I32x16, high: &mut I32x16) {
         const END: i32 = ROWS as i32;
         for i in 0..GROUP {
             let q = self.quotient[i];
@@ -144,12 +144,12 @@ impl Step {
 /// one of the bounding box, and how many pixels they cover. `area` is positive where a triangle winds counter-clockwise. Of
 /// triangles that are larger than 16 by 16 anything may come out.
 #[inline(always)]
-pub(crate) fn rows(p: &[[Ints; 2]; 3], area: &Ints, first: &[Ints; 2], count: u32, out: &mut Ends) -> Ints {
+pub(crate) fn rows(p: &[[I32x16; 2]; 3], area: &I32x16, first: &[I32x16; 2], count: u32, out: &mut RowEnds) -> I32x16 {
     let turn = turns(area);
     let mut steps = [
-        Step::new(&p[0], &p[1], &turn, first),
-        Step::new(&p[1], &p[2], &turn, first),
-        Step::new(&p[2], &p[0], &turn, first),
+        EdgeSteppers::new(&p[0], &p[1], &turn, first),
+        EdgeSteppers::new(&p[1], &p[2], &turn, first),
+        EdgeSteppers::new(&p[2], &p[0], &turn, first),
     ];
     let mut pixels = [0; GROUP];
     for row in out.iter_mut().take(count as usize) {

@@ -7,9 +7,9 @@
 
 use crate::num;
 use crate::simd::{LANES, stage};
-use crate::vertex::batch::{Lanes, VertexBatch, Wide};
+use crate::vertex::batch::{F64Lanes, Lanes, VertexBatch};
 use crate::vertex::plan::VertFn;
-use crate::vertex::uniforms::{LightNumbers, VertexUniforms};
+use crate::vertex::uniforms::{LightUniforms, VertexUniforms};
 
 /// Argument of the sums: the light's number in the low bits, then these flags.
 pub mod flag {
@@ -31,7 +31,7 @@ pub mod flag {
 
 const GREATEST_ATTENUATION: f32 = 1e30;
 
-fn light(u: &VertexUniforms, arg: u32) -> LightNumbers {
+fn light(u: &VertexUniforms, arg: u32) -> LightUniforms {
     u.lights.get((arg & flag::LIGHT) as usize).copied().unwrap_or_default()
 }
 
@@ -43,7 +43,7 @@ fn inverse_length(square: f32) -> f32 {
 
 /// Vectors from `from` to `to`, and the square of their lengths.
 #[inline(always)]
-fn unit_vectors(to: [f64; 3], from: &[Wide; 3], out: &mut [Lanes; 3], distance: &mut Lanes, n: usize) {
+fn unit_vectors(to: [f64; 3], from: &[F64Lanes; 3], out: &mut [Lanes; 3], distance: &mut Lanes, n: usize) {
     let ([px, py, pz], [ox, oy, oz]) = (from, out);
     for i in 0..n.min(LANES) {
         let (x, y, z) = ((to[0] - px[i]) as f32, (to[1] - py[i]) as f32, (to[2] - pz[i]) as f32);

@@ -26,7 +26,7 @@ fn finite(v: f64) -> f32 {
 }
 
 /// Which rows go where: s, t, r as far as they count, then q.
-fn rows(u: &crate::vertex::uniforms::UnitNumbers) -> impl Iterator<Item = (usize, usize)> {
+fn rows(u: &crate::vertex::uniforms::UnitUniforms) -> impl Iterator<Item = (usize, usize)> {
     let (base, count) = (u.base, u.count.min(3));
     let q = u.has_q.then_some((3, base + count));
     (0..count).map(move |r| (r, base + r)).chain(q)

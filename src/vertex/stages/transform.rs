@@ -3,11 +3,11 @@
 //! viewport's centre, so that moving the viewport by whole pixels moves every vertex by exactly as much.
 
 use crate::num;
-use crate::raster::vertex::{Place, outcode};
+use crate::raster::vertex::{ScreenPosition, outcode};
 use crate::simd::{LANES, stage};
 use crate::vertex::batch::VertexBatch;
 use crate::vertex::plan::VertFn;
-use crate::vertex::uniforms::{Columns, VertexUniforms, ViewportNumbers};
+use crate::vertex::uniforms::{Columns, VertexUniforms, ViewportUniforms};
 
 /// Windows positions with a greater absolute coordinate are outside the guard band.
 pub const GUARD_BAND: f64 = 32767.0;
@@ -21,7 +21,7 @@ fn row(m: &Columns, r: usize, v: [f64; 4]) -> f64 {
 /// Clip coordinates to window coordinates and 1/256 pixels; what comes out of a w that is not positive means nothing.
 #[inline(always)]
 #[must_use]
-pub fn to_window(v: &ViewportNumbers, clip: [f64; 4]) -> ([f64; 3], [i32; 2]) {
+pub fn to_window(v: &ViewportUniforms, clip: [f64; 4]) -> ([f64; 3], [i32; 2]) {
     let [x, y, z, w] = clip;
     let rx = x / w * v.half[0];
     let ry = y / w * v.half[1];
@@ -82,7 +82,7 @@ stage! {
     pub fn WINDOW: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
         let n = b.span.min(LANES);
         let v = u.viewport;
-        let VertexBatch { clip: [cx, cy, cz, cw], window: [wx, wy, wz], place, .. } = b;
+        let VertexBatch { clip: [cx, cy, cz, cw], window: [wx, wy, wz], screen, .. } = b;
         for i in 0..n {
             let (x, y, z, w) = (cx[i], cy[i], cz[i], cw[i]);
             let ([a, b, c], snapped) = to_window(&v, [x, y, z, w]);
@@ -102,20 +102,20 @@ stage! {
                 | bit(!inside, outcode::GUARD)
                 | bit(!positive, outcode::BEHIND)
                 | bit(!finite, outcode::NAN);
-            place[i] = Place::new(snapped, code);
+            screen[i] = ScreenPosition::new(snapped, code);
         }
     }
 
     /// Distance to a user clip plane (section 2.12) and its outcode bit.
     pub fn USER_PLANE: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, arg: u32) {
         let n = b.span.min(LANES);
-        let VertexBatch { eye: [ex, ey, ez, ew], user, place, .. } = b;
+        let VertexBatch { eye: [ex, ey, ez, ew], user, screen, .. } = b;
         let k = arg as usize;
         let (Some(plane), Some(bit), Some(user)) = (u.user.get(k), u.user_bit.get(k), user.get_mut(k)) else { return };
         for i in 0..n {
             let d = plane[0] * ex[i] + plane[1] * ey[i] + plane[2] * ez[i] + plane[3] * ew[i];
             user[i] = d;
-            place[i].0 |= if d < 0.0 { u64::from(*bit) } else { 0 };
+            screen[i].0 |= if d < 0.0 { u64::from(*bit) } else { 0 };
         }
     }
 

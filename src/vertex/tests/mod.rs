@@ -7,7 +7,7 @@ mod lit;
 mod primitives;
 mod textured;
 
-use super::pipeline::Pipe;
+use super::pipeline::VertexPipeline;
 use super::plan::Wants;
 use super::{Assembled, VertexRef};
 use crate::enums::GLenum;
@@ -78,7 +78,7 @@ pub(super) fn tex_layout() -> Layout {
 }
 
 pub(super) fn run(level: Level, cut: usize, state: &State, layout: &Layout, mode: GLenum, given: &[Given]) -> Vec<Got> {
-    let mut pipe = Pipe::new(level, cut);
+    let mut pipe = VertexPipeline::new(level, cut);
     pipe.rebuild(state, layout, Wants { edges: true, ..Wants::default() });
     let mut out = Collect::default();
     pipe.begin(mode);

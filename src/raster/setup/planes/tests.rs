@@ -1,7 +1,7 @@
 //! Tests of planes: against the definition, and values that are no numbers.
 
 use super::*;
-use crate::raster::testing::{Board, Random, value, vertex};
+use crate::raster::testing::{Random, TestCanvas, value, vertex};
 use crate::raster::vertex::Vertex;
 
 fn bits(values: &[f32]) -> Vec<u32> {
@@ -30,10 +30,10 @@ fn values_are_perspective_correct() {
             continue;
         }
         let slots = [0, 1, 2].map(|_| vec![random.between(0.0, 1.0) as f32, random.between(-8.0, 8.0) as f32]);
-        let mut board = Board::new(64, 2, 1, 64, |_| {});
+        let mut canvas = TestCanvas::new(64, 2, 1, 64, |_| {});
         let v = [0, 1, 2].map(|i: usize| vertex(p[i][0], p[i][1], 0.25, w[i]));
-        board.triangle(&v, &slots);
-        for seen in board.seen() {
+        canvas.triangle(&v, &slots);
+        for seen in canvas.seen() {
             let b = weights(p, f64::from(seen.at[0]) + 0.5, f64::from(seen.at[1]) + 0.5);
             if b.iter().any(|b| *b < 0.0) {
                 continue;
@@ -65,10 +65,10 @@ fn moving_by_whole_pixels_changes_no_bit() {
         let slots = [0, 1, 2].map(|_| (0..3).map(|_| random.between(-1.0, 3.0) as f32).collect::<Vec<_>>());
         let z = [0.0; 3].map(|_| random.unit());
         let draw = |dx: f64, dy: f64| {
-            let mut board = Board::new(2048, 3, 1, 64, |_| {});
+            let mut canvas = TestCanvas::new(2048, 3, 1, 64, |_| {});
             let v = [0, 1, 2].map(|i: usize| vertex(p[i][0] + dx, p[i][1] + dy, z[i], w[i]));
-            board.triangle(&v, &slots);
-            let seen = board.seen();
+            canvas.triangle(&v, &slots);
+            let seen = canvas.seen();
             let at: Vec<_> = seen.iter().map(|s| [s.at[0] - dx as i32, s.at[1] - dy as i32]).collect();
             let values: Vec<_> = seen.iter().map(|s| (bits(&s.values), s.z.to_bits())).collect();
             (at, values)
@@ -84,7 +84,7 @@ fn moving_by_whole_pixels_changes_no_bit() {
 fn slivers_stay_within_their_corners() {
     let mut random = Random(7);
     let mut fragments = 0;
-    let mut board = Board::new(128, 1, 1, 64, |_| {});
+    let mut canvas = TestCanvas::new(128, 1, 1, 64, |_| {});
     for _ in 0..20_000 {
         let a = [random.between(0.0, 128.0), random.between(0.0, 128.0)];
         let b = [random.between(0.0, 128.0), random.between(0.0, 128.0)];
@@ -93,9 +93,9 @@ fn slivers_stay_within_their_corners() {
         let slots = [0, 1, 2].map(|_| vec![random.unit() as f32]);
         let w = random.between(1.0, 50.0);
         let v = [vertex(a[0], a[1], 0.1, 1.0), vertex(b[0], b[1], 0.2, w), vertex(c[0], c[1], 0.3, 1.0)];
-        board.triangle(&v, &slots);
+        canvas.triangle(&v, &slots);
         let (low, high) = slots.iter().fold((9.0f32, -9.0f32), |(l, h), s| (l.min(s[0]), h.max(s[0])));
-        for seen in board.seen() {
+        for seen in canvas.seen() {
             assert!((low..=high).contains(&seen.values[0]), "{} in {low}..{high}", seen.values[0]);
             let z = seen.z / 16_777_215.0;
             assert!((0.0999..=0.3001).contains(&z), "{z}");
@@ -113,18 +113,18 @@ pub(in crate::raster) fn planes(
     w: [f64; 3],
     back: bool,
 ) -> (Planes, Vec<Plane>) {
-    let mut recipe = Recipe::new(Level::Baseline);
-    recipe.set(layout, flat);
+    let mut plan = SetupPlan::new(Level::Baseline);
+    plan.set(layout, flat);
     let basis = Basis::triangle([[-2.5, -2.5], [5.5, -2.5], [-2.5, 5.5]], 64.0);
-    let (mut of, mut pool) = (Planes::default(), Pool::default());
+    let (mut of, mut pool) = (Planes::default(), PlaneBuffer::default());
     let corner = [&values[0][..], &values[1], &values[2]];
-    let values = Values { corner, provoking: corner[2], back, w };
-    recipe.planes(&basis, &values, &mut of, &mut pool);
+    let values = CornerValues { corner, provoking: corner[2], back, w };
+    plan.planes(&basis, &values, &mut of, &mut pool);
     let planes = pool.all().alone[..pool.len()].to_vec();
     for level in Level::available() {
-        let mut other = Recipe::new(level);
+        let mut other = SetupPlan::new(level);
         other.set(layout, flat);
-        let (mut of, mut pool) = (Planes::default(), Pool::default());
+        let (mut of, mut pool) = (Planes::default(), PlaneBuffer::default());
         other.planes(&basis, &values, &mut of, &mut pool);
         assert!(pool.all().alone.iter().zip(&planes).all(|(a, b)| format!("{a:?}") == format!("{b:?}")), "{level:?}");
     }
@@ -190,17 +190,17 @@ fn values_that_are_no_numbers_do_no_harm() {
             }
         }
     }
-    let mut board = Board::new(16, 1, 1, 64, |_| {});
+    let mut canvas = TestCanvas::new(16, 1, 1, 64, |_| {});
     for bad in [f64::NAN, f64::INFINITY, 1e300, -1e38] {
         for i in 0..3 {
             let mut v = [vertex(1.0, 1.0, 0.5, 1.0), vertex(15.0, 2.0, 0.5, 1.0), vertex(3.0, 14.0, 0.5, 2.0)];
             v[i] = Vertex { window: [bad; 3], clip: [bad; 4], ..v[i] };
-            board.triangle(&v, &[vec![0.0], vec![1.0], vec![0.5]]);
+            canvas.triangle(&v, &[vec![0.0], vec![1.0], vec![0.5]]);
             v[i].snapped = [i32::MIN, i32::MAX];
-            board.triangle(&v, &[vec![0.0], vec![1.0], vec![]]);
+            canvas.triangle(&v, &[vec![0.0], vec![1.0], vec![]]);
         }
     }
-    for seen in board.seen() {
+    for seen in canvas.seen() {
         assert!(seen.z.is_finite() && (0.0..=1.0).contains(&seen.values[0]), "{seen:?}");
     }
 }

@@ -4,41 +4,41 @@
 //! on, in the order in which they were issued. What nobody sees costs its positions and no more, and since a vertex
 //! depends on nothing but itself, no bit changes.
 
-use super::assemble::{Assembler, Output, Primitive};
+use super::assemble::{Assembler, AssemblyOutput, VisiblePrimitive};
 use super::batch::VertexBatch;
-use super::cache::Elements;
+use super::cache::IndexedChunk;
 use super::clip::Clipper;
-use super::counts::Counts;
+use super::counts::VertexCounts;
 use super::plan::{VertFn, VertexPlan};
-use super::transformed::{PLACES, Pool};
-use super::{Assembled, Keys, Source};
+use super::transformed::{MAX_VERTICES, TransformedVertices};
+use super::{Assembled, Keys, VertexSource};
 use crate::enums::GLenum;
 use crate::simd::{LANES, Step};
 
 /// Vertices and primitives under way.
 #[derive(Clone, Debug)]
-pub struct Chunk {
+pub struct VertexProcessor {
     /// The batch that stages work on.
     pub batch: Box<VertexBatch>,
-    pub(super) pool: Pool,
+    pub(super) pool: TransformedVertices,
     assembler: Assembler,
     clipper: Clipper,
-    seen: Vec<Primitive>,
+    seen: Vec<VisiblePrimitive>,
     /// What was done, for those who ask.
-    pub counts: Counts,
+    pub counts: VertexCounts,
     /// Whether each vertex of the pool is used by something seen.
     used: Vec<bool>,
 }
 
-impl Default for Chunk {
+impl Default for VertexProcessor {
     fn default() -> Self {
         Self {
             batch: VertexBatch::new(),
-            pool: Pool::default(),
+            pool: TransformedVertices::default(),
             assembler: Assembler::default(),
             clipper: Clipper::default(),
             seen: Vec::new(),
-            counts: Counts::default(),
+            counts: VertexCounts::default(),
             used: Vec::new(),
         }
     }
@@ -56,7 +56,7 @@ pub(super) fn run(plan: &VertexPlan, steps: &[Step<VertFn>], batch: &mut VertexB
     }
 }
 
-impl Chunk {
+impl VertexProcessor {
     /// Starts a primitive.
     pub fn begin(&mut self, mode: GLenum) {
         self.assembler.begin(mode);
@@ -65,7 +65,7 @@ impl Chunk {
     /// Assembles vertices of the pool.
     pub fn feed(&mut self, plan: &VertexPlan, culls: [bool; 2], ids: &[u32]) {
         let Self { assembler, pool, batch, seen, counts, .. } = self;
-        assembler.feed(ids, pool, &mut Output { plan, culls, batch, seen, counts });
+        assembler.feed(ids, pool, &mut AssemblyOutput { plan, culls, batch, seen, counts });
     }
 
     /// Assembles the vertices of the pool from one on: those of a batch.
@@ -76,7 +76,7 @@ impl Chunk {
     /// Ends the primitive.
     pub fn end(&mut self, plan: &VertexPlan, culls: [bool; 2]) {
         let Self { assembler, pool, batch, seen, counts, .. } = self;
-        assembler.end(pool, &mut Output { plan, culls, batch, seen, counts });
+        assembler.end(pool, &mut AssemblyOutput { plan, culls, batch, seen, counts });
     }
 
     /// Whether no vertex waits for others.
@@ -98,8 +98,8 @@ impl Chunk {
     }
 
     /// Places the vertices of the batch.
-    pub fn place(&mut self, plan: &VertexPlan) {
-        let (places, _) = plan.plan.steps.split_at(plan.places.min(plan.plan.steps.len()));
+    pub fn transform_positions(&mut self, plan: &VertexPlan) {
+        let (places, _) = plan.plan.steps.split_at(plan.position_stages.min(plan.plan.steps.len()));
         run(plan, places, &mut self.batch);
         self.counts.placed += self.batch.n as u64;
     }
@@ -112,11 +112,11 @@ impl Chunk {
     }
 
     /// Gives the vertices of the batch, whose first has an id in the pool, their values, if something needs them.
-    pub fn value_batch(&mut self, plan: &VertexPlan, first: u32) {
+    pub fn compute_varyings(&mut self, plan: &VertexPlan, first: u32) {
         if self.seen.is_empty() && self.assembler.held().is_empty() {
             return;
         }
-        let steps = plan.plan.steps.get(plan.places..).unwrap_or_default();
+        let steps = plan.plan.steps.get(plan.position_stages..).unwrap_or_default();
         run(plan, steps, &mut self.batch);
         self.counts.valued += self.batch.n as u64;
         self.pool.fill(&self.batch, first..first + self.batch.n as u32);
@@ -124,35 +124,35 @@ impl Chunk {
 
     /// Places the vertices of elements, assembles them and gives those their values that can be seen. A batch is cut after
     /// `cut` vertices.
-    pub fn elements<S: Source>(
+    pub fn elements<S: VertexSource>(
         &mut self,
         plan: &VertexPlan,
         source: &S,
-        elements: Elements<'_>,
+        elements: IndexedChunk<'_>,
         cut: usize,
         culls: [bool; 2],
     ) {
         let first = self.held();
         let cut = cut.clamp(1, LANES);
         for from in (0..elements.keys.len()).step_by(cut) {
-            source.places(&elements.keys.part(from, from + cut), &mut self.batch);
-            self.place(plan);
+            source.positions(&elements.keys.part(from, from + cut), &mut self.batch);
+            self.transform_positions(plan);
             self.append();
         }
         self.feed(plan, culls, elements.ids);
         if !self.seen.is_empty() || !self.assembler.held().is_empty() {
-            self.value_used(plan, source, first, &elements.keys);
+            self.compute_used_varyings(plan, source, first, &elements.keys);
         }
     }
 
     /// Gives those vertices of the pool from `first` on their values that something needs. They run through all stages,
     /// since their batches are others than those that they were placed in. `keys` are their places in the source.
-    fn value_used<S: Source>(&mut self, plan: &VertexPlan, source: &S, first: u32, keys: &Keys<'_>) {
+    fn compute_used_varyings<S: VertexSource>(&mut self, plan: &VertexPlan, source: &S, first: u32, keys: &Keys<'_>) {
         self.used.clear();
-        self.used.resize(PLACES, false);
-        if let Some(used) = self.used.first_chunk_mut::<PLACES>() {
+        self.used.resize(MAX_VERTICES, false);
+        if let Some(used) = self.used.first_chunk_mut::<MAX_VERTICES>() {
             // What was held before comes out far behind the others.
-            let mut mark = |id: u32| used[id.wrapping_sub(first) as usize % PLACES] = true;
+            let mut mark = |id: u32| used[id.wrapping_sub(first) as usize % MAX_VERTICES] = true;
             self.seen.iter().for_each(|primitive| primitive.ids().into_iter().for_each(&mut mark));
             self.assembler.held().iter().for_each(|id| mark(*id));
         }
@@ -167,8 +167,8 @@ impl Chunk {
                 // Neighbours are read faster.
                 let whole = matches!(keys, Keys::Range(_)) && at[n - 1] - at[0] == n as u32 - 1;
                 let keys = if whole { Keys::Range(of[0]..of[0] + n as u32) } else { Keys::List(&of[..n]) };
-                source.places(&keys, &mut self.batch);
-                source.values(&keys, &mut self.batch);
+                source.positions(&keys, &mut self.batch);
+                source.attributes(&keys, &mut self.batch);
                 run(plan, &plan.plan.steps, &mut self.batch);
                 self.counts.valued += n as u64;
                 self.pool.fill(&self.batch, at.into_iter().take(n).map(|at| first + at));

@@ -1,22 +1,22 @@
 //! The memory behind the planes of a scene (OpenGL 1.5, section 3.5.1): planes of primitives that stand alone, and groups
 //! of planes of small triangles. It is never shrunk and not cleared, so that planes are written once.
 
-use super::weights::Four;
+use super::weights::FourPlanes;
 use crate::fragment::planes::{Plane, PlaneGroup, PlanePool};
 
 /// The planes of a scene's slots. The vector behind it is as long as it ever was, so that planes are written once, not
 /// made and then overwritten.
 #[derive(Clone, Debug, Default)]
-pub struct Pool {
+pub struct PlaneBuffer {
     planes: Vec<Plane>,
     used: usize,
     groups: Vec<PlaneGroup>,
     used_groups: usize,
     /// Where planes are computed before they are put in place.
-    four: Four,
+    four: FourPlanes,
 }
 
-impl Pool {
+impl PlaneBuffer {
     /// All planes; those in use come first.
     #[must_use]
     pub fn all(&self) -> PlanePool<'_> {
@@ -62,7 +62,7 @@ impl Pool {
 
     /// Takes some more into use, of whatever contents; with them goes the place to compute them in.
     #[inline]
-    pub(crate) fn more(&mut self, count: usize) -> (&mut [Plane], &mut Four) {
+    pub(crate) fn more(&mut self, count: usize) -> (&mut [Plane], &mut FourPlanes) {
         let first = self.used;
         self.used += count;
         if self.used > self.planes.len() {
