@@ -15,7 +15,7 @@ pub use band::Band;
 pub(crate) use clear::packed_mask;
 pub use clear::{Clear, Rect};
 pub use deferred_clear::DeferredClear;
-pub use hier_z::{BLOCK, HierZ};
+pub use hier_z::BLOCK;
 pub use user_memory::UserMemory;
 
 use crate::error::{Outcome, invalid_value, out_of_memory};
@@ -59,6 +59,7 @@ enum ColorStore {
     /// Packed bytes in memory of the library.
     Owned(Vec<u32>),
     /// Packed bytes in memory of the client.
+    #[cfg_attr(not(any(test, feature = "capi")), expect(dead_code, reason = "only C hands over its own memory"))]
     User(UserMemory),
     /// Floats.
     Float(Vec<[f32; 4]>),
@@ -164,6 +165,7 @@ impl Framebuffer {
 
     /// A framebuffer whose colours are in the client's memory: rows `row_length` pixels apart, the lowest first unless
     /// `flipped`. The pixels stay as they are. `memory` must have `row_length * (height - 1) + width` pixels at least.
+    #[cfg_attr(not(any(test, feature = "capi")), expect(dead_code, reason = "only C hands over its own memory"))]
     pub fn with_user_memory(
         width: u32,
         height: u32,

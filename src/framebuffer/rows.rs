@@ -1,8 +1,9 @@
-//! Rows of pixels out of the buffers and into them (OpenGL 1.5, sections 4.3.1 and 4.3.2): what ReadPixels, CopyTexImage
-//! and DrawPixels move. A row may reach beyond the window on both sides; pixels outside are left as they are, as the
-//! specification leaves them undefined.
+//! Rows of pixels out of the buffers (OpenGL 1.5, section 4.3.2): what ReadPixels and CopyTexImage read. A row may reach
+//! beyond the window on both sides; pixels outside are left as they are, as the specification leaves them undefined.
 
-use super::{Framebuffer, Rect};
+use super::Framebuffer;
+#[cfg(test)]
+use super::Rect;
 use crate::num::f32_to_u8;
 use std::ops::Range;
 
@@ -66,7 +67,11 @@ impl Framebuffer {
             out.copy_from_slice(from);
         }
     }
+}
 
+/// Rows written without any fragment operation, so that tests can fill the buffers.
+#[cfg(test)]
+impl Framebuffer {
     /// Writes colours to row `y` from `x` on, channels that `mask` lets through; no fragment operation is applied.
     pub fn write_float(&mut self, x: i32, y: i32, colors: &[[f32; 4]], mask: [bool; 4]) {
         self.apply_deferred_clear();

@@ -18,6 +18,7 @@ unsafe impl Send for UserMemory {}
 // SAFETY: through `&UserMemory` the memory can only be read.
 unsafe impl Sync for UserMemory {}
 
+#[cfg_attr(not(any(test, feature = "capi")), expect(dead_code, reason = "only C hands over its own memory"))]
 impl UserMemory {
     /// Takes `len` pixels at `address`; `None` where the address is null or not that of a `u32`, or where the memory
     /// would be larger than an object can be.

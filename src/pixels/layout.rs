@@ -114,28 +114,34 @@ impl ClientLayout {
     }
 }
 
-/// How many bytes of client memory a 3D image spans, from its pointer to the end of its last row, skips included.
-/// For TexImage3D, TexSubImage3D and the slices of GetTexImage; everything else is [`image_bytes_2d`].
-pub fn image_bytes(
-    store: &PixelStore,
-    width: i32,
-    height: i32,
-    depth: i32,
-    format: GLenum,
-    type_: GLenum,
-) -> Outcome<usize> {
-    Ok(ClientLayout::of_3d(store, [width, height, depth], PixelFormat::new(format, type_)?)?.total)
-}
-
-/// How many bytes of client memory a 1D or 2D image spans: as [`image_bytes`], without skipped slices and image height.
-pub fn image_bytes_2d(store: &PixelStore, width: i32, height: i32, format: GLenum, type_: GLenum) -> Outcome<usize> {
-    Ok(ClientLayout::of_2d(store, [width, height], PixelFormat::new(format, type_)?)?.total)
-}
-
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::enums::*;
+
+    /// How many bytes of client memory a 3D image spans, from its pointer to the end of its last row, skips included.
+    /// For TexImage3D, TexSubImage3D and the slices of GetTexImage; everything else is [`image_bytes_2d`].
+    pub(in crate::pixels) fn image_bytes(
+        store: &PixelStore,
+        width: i32,
+        height: i32,
+        depth: i32,
+        format: GLenum,
+        type_: GLenum,
+    ) -> Outcome<usize> {
+        Ok(ClientLayout::of_3d(store, [width, height, depth], PixelFormat::new(format, type_)?)?.total)
+    }
+
+    /// How many bytes of client memory a 1D or 2D image spans: as [`image_bytes`], without skipped slices and image height.
+    pub(in crate::pixels) fn image_bytes_2d(
+        store: &PixelStore,
+        width: i32,
+        height: i32,
+        format: GLenum,
+        type_: GLenum,
+    ) -> Outcome<usize> {
+        Ok(ClientLayout::of_2d(store, [width, height], PixelFormat::new(format, type_)?)?.total)
+    }
 
     fn rgb(store: &PixelStore, size: [i32; 3]) -> usize {
         image_bytes(store, size[0], size[1], size[2], GL_RGB, GL_UNSIGNED_BYTE).unwrap()

@@ -10,8 +10,7 @@ pub mod pack;
 pub mod transfer;
 pub mod unpack;
 
-pub use format::{Format, PixelFormat, PixelKind, Purpose, Type};
-pub use layout::{image_bytes, image_bytes_2d};
+pub use format::{PixelFormat, PixelKind, Purpose};
 pub use pack::ClientTarget;
 pub use transfer::Transfer;
 pub use unpack::ClientImage;

@@ -57,12 +57,6 @@ impl<'a> ClientTarget<'a> {
         Ok(ClientTarget { bytes, layout, pixel, swap: store.swap_bytes, lsb_first: store.lsb_first })
     }
 
-    /// Width, height and depth.
-    #[must_use]
-    pub fn size(&self) -> [usize; 3] {
-        [self.layout.width, self.layout.height, self.layout.depth]
-    }
-
     /// Its format and type.
     #[must_use]
     pub fn pixel(&self) -> PixelFormat {

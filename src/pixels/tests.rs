@@ -3,6 +3,7 @@
 
 use super::element::{from_rgba8, to_rgba8};
 use super::format::all_pairs;
+use super::layout::tests::{image_bytes, image_bytes_2d};
 use super::*;
 use crate::enums::*;
 use crate::state::pixel::{PixelStore, PixelTransfer};

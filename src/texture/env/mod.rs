@@ -185,21 +185,10 @@ impl CombineHalf {
 }
 
 impl EnvPlan {
-    /// The plan of all units: for each its environment and the base format of its texture (as
+    /// The plan of the units before `end`: for each unit its environment and the base format of its texture (as
     /// [`Sampler::base`](super::sampler::Sampler::base) says), `None` where it has no enabled, complete texture. After
-    /// it has run, `previous` holds the colour after the last unit, also when there is none.
-    #[must_use]
-    pub fn build(level: Level, units: &[Option<(&Env, BaseFormat)>]) -> Self {
-        Self::build_with(level, units, false)
-    }
-
-    /// [`EnvPlan::build`]; with `general` every half goes the general way, which gives the same bits.
-    #[must_use]
-    pub fn build_with(level: Level, units: &[Option<(&Env, BaseFormat)>], general: bool) -> Self {
-        Self::build_until(level, units, units.len(), general)
-    }
-
-    /// [`EnvPlan::build_with`] without the environments of the units from `end` on, whose textures are there all the same.
+    /// it has run, `previous` holds the colour after the last unit, also when there is none. With `general` every half
+    /// goes the general way, which gives the same bits.
     #[must_use]
     pub fn build_until(level: Level, units: &[Option<(&Env, BaseFormat)>], end: usize, general: bool) -> Self {
         let mut this = Self { plan: Plan::new(level), uniforms: EnvUniforms::default() };
@@ -301,7 +290,7 @@ mod tests {
     fn run(units: &[Option<(&Env, BaseFormat)>], texels: &[[f32; 4]]) -> [f32; 4] {
         let mut results = Level::available().map(|level| {
             let [shortcuts, general] = [false, true].map(|general| {
-                let plan = EnvPlan::build_with(level, units, general);
+                let plan = EnvPlan::build_until(level, units, units.len(), general);
                 let mut b = TexBatch::new();
                 b.n = LANES;
                 b.primary = P.map(|c| [c; LANES]);
@@ -449,16 +438,16 @@ mod tests {
     fn what_only_moves_or_multiplies_takes_one_step() {
         let steps = |mode, base| {
             let env = Env { mode, ..Env::default() };
-            let plan = EnvPlan::build(Level::Baseline, &[Some((&env, base))]);
+            let plan = EnvPlan::build_until(Level::Baseline, &[Some((&env, base))], 1, false);
             plan.plan.names().collect::<Vec<_>>()
         };
         assert_eq!(steps(GL_REPLACE, Rgba), ["ENV_REPLACE"]);
         assert_eq!(steps(GL_MODULATE, Rgba), ["ENV_MODULATE"]);
         assert_eq!(steps(GL_MODULATE, Rgb), ["ENV_MODULATE", "ENV_REPLACE"]);
         let env = Env { mode: GL_COMBINE, ..Env::default() };
-        let plan = EnvPlan::build(Level::Baseline, &[Some((&env, Rgba))]);
+        let plan = EnvPlan::build_until(Level::Baseline, &[Some((&env, Rgba))], 1, false);
         assert_eq!(plan.plan.steps.len(), 1, "COMBINE with its initial values is MODULATE");
         let env = Env { scale: [2.0, 1.0], ..env };
-        assert!(EnvPlan::build(Level::Baseline, &[Some((&env, Rgba))]).plan.steps.len() > 1);
+        assert!(EnvPlan::build_until(Level::Baseline, &[Some((&env, Rgba))], 1, false).plan.steps.len() > 1);
     }
 }

@@ -19,12 +19,6 @@ struct FloatLevel {
     texels: Vec<FloatTexel>,
 }
 
-/// The size of the next level: half of each dimension, rounded down, at least 1.
-#[must_use]
-pub fn next_size(size: [u32; 3]) -> [u32; 3] {
-    size.map(|n| (n / 2).max(1))
-}
-
 /// How many levels follow an image of this size, down to 1 x 1 x 1.
 #[must_use]
 pub fn levels_below(size: [u32; 3]) -> usize {
