@@ -113,6 +113,8 @@ impl FragmentBatch {
     }
 }
 
+/// How tests fill a batch.
+#[cfg(test)]
 impl FragmentBatch {
     /// Takes all fragments out.
     #[inline]

@@ -1,6 +1,6 @@
-//! A program's decisions in words: as a table, or in one line for traces.
+//! A program's decisions in one line, for traces.
 
-use crate::fragment::program::{Decision, Fate, Program};
+use crate::fragment::program::{Decision, Fate};
 
 /// Which stages are kept, hoisted and left out, in one line.
 #[must_use]
@@ -10,17 +10,4 @@ pub fn in_one_line(decisions: &[Decision]) -> String {
         all.map(|d| d.stage.as_str()).collect::<Vec<_>>().join(", ")
     };
     format!("kept: {}; hoisted: {}; left out: {}", of(Fate::Kept), of(Fate::Hoisted), of(Fate::LeftOut))
-}
-
-impl Program {
-    /// The decisions as a table in plain text.
-    #[must_use]
-    pub fn explain(&self) -> String {
-        let width = self.decisions.iter().map(|d| d.stage.len()).max().unwrap_or(0);
-        let mut text = String::new();
-        for d in &self.decisions {
-            text.push_str(&format!("{:width$}  {:8}  {}\n", d.stage, d.fate, d.reason));
-        }
-        text
-    }
 }

@@ -98,6 +98,7 @@ pub struct PlaneGroup {
     pub ny: [f32; GROUP],
 }
 
+#[cfg(test)]
 impl PlaneGroup {
     /// The plane of a primitive of the group.
     #[must_use]
@@ -118,6 +119,7 @@ pub struct PlanePool<'a> {
     pub groups: &'a [PlaneGroup],
 }
 
+#[cfg(test)]
 impl PlanePool<'_> {
     /// The plane of a primitive's slot.
     #[must_use]

@@ -59,7 +59,6 @@ enum ColorStore {
     /// Packed bytes in memory of the library.
     Owned(Vec<u32>),
     /// Packed bytes in memory of the client.
-    #[cfg_attr(not(any(test, feature = "capi")), expect(dead_code, reason = "only C hands over its own memory"))]
     User(UserMemory),
     /// Floats.
     Float(Vec<[f32; 4]>),

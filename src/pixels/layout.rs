@@ -3,7 +3,6 @@
 //! the program, so every product is checked: an image that no memory can hold is an error, not a wrapped number.
 
 use super::format::{PixelFormat, Type};
-use crate::enums::GLenum;
 use crate::error::{GlError, Outcome, invalid_operation, invalid_value};
 use crate::state::pixel::PixelStore;
 

@@ -278,13 +278,6 @@ impl<P: FragmentProgram> RasterPass<'_, P> {
                     }
                 }
             }
-            Coverage::Spans { first, count } => {
-                for span in geometry.spans(first, count) {
-                    if rows.contains(&span.y) {
-                        to.run(span.x, span.y, span.len, 1.0, sink);
-                    }
-                }
-            }
         }
     }
 }

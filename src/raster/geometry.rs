@@ -36,24 +36,6 @@ pub enum Coverage {
     Disc(u32),
     /// A smooth line or polygon: an index of [`SceneGeometry::outlines`].
     Outline(u32),
-    /// Row runs: an index of [`SceneGeometry::spans`] and their number.
-    Spans {
-        /// First run.
-        first: u32,
-        /// Number of runs, from below.
-        count: u32,
-    },
-}
-
-/// A run of pixels of one row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span {
-    /// First column.
-    pub x: i32,
-    /// Row.
-    pub y: i32,
-    /// Number of pixels.
-    pub len: i32,
 }
 
 /// A primitive: its shape and the draw that it belongs to. Its [`Planes`] have the same index.
@@ -86,8 +68,6 @@ pub struct SceneGeometry {
     pub discs: Vec<Disc>,
     /// Smooth lines and polygons.
     pub outlines: Vec<Outline>,
-    /// Row runs.
-    pub spans: Vec<Span>,
     /// About how many pixels the primitives cover.
     pub pixels: u64,
 }
@@ -114,7 +94,6 @@ impl SceneGeometry {
         self.lines.clear();
         self.discs.clear();
         self.outlines.clear();
-        self.spans.clear();
         self.pixels = 0;
     }
 
@@ -132,7 +111,6 @@ impl SceneGeometry {
             + bytes(&self.lines)
             + bytes(&self.discs)
             + bytes(&self.outlines)
-            + bytes(&self.spans)
     }
 
     /// Files a primitive whose planes have been made.
@@ -156,9 +134,6 @@ impl SceneGeometry {
             Coverage::Rect(rect) => area(&rect),
             Coverage::Disc(i) => self.discs.get(i as usize).map_or(0, |disc| area(&disc.rect)),
             Coverage::Outline(i) => self.outlines.get(i as usize).map_or(0, |outline| area(&outline.rect)),
-            Coverage::Spans { first, count } => {
-                self.spans(first, count).iter().map(|span| u64::from(span.len.unsigned_abs())).sum()
-            }
         }
     }
 
@@ -178,19 +153,7 @@ impl SceneGeometry {
             Coverage::Rect(rect) => of(&rect),
             Coverage::Disc(i) => self.discs.get(i as usize).map_or(0..0, |d| of(&d.rect)),
             Coverage::Outline(i) => self.outlines.get(i as usize).map_or(0..0, |o| of(&o.rect)),
-            Coverage::Spans { first, count } => {
-                let spans = self.spans(first, count);
-                let low = spans.iter().map(|s| s.y).min().unwrap_or(0);
-                low..spans.iter().map(|s| s.y + 1).max().unwrap_or(0)
-            }
         }
-    }
-
-    /// The runs of a primitive.
-    #[must_use]
-    pub fn spans(&self, first: u32, count: u32) -> &[Span] {
-        let first = first as usize;
-        self.spans.get(first..first.saturating_add(count as usize)).unwrap_or(&[])
     }
 }
 

@@ -17,7 +17,6 @@ mod triangle_batch;
 pub mod vertex;
 mod worker_pool;
 
-pub use geometry::Span;
 pub use program_trait::FragmentProgram;
 pub use raster_thread::SetupFn;
 pub use scene::{Draw, PrimitiveBuilder, Scene};

@@ -4,7 +4,7 @@
 
 use super::binning::{self, RasterPass};
 use super::emit::Emitter;
-use super::geometry::{SceneGeometry, SetupContext, Span};
+use super::geometry::{SceneGeometry, SetupContext};
 use super::program_trait::FragmentProgram;
 use super::raster_thread::{FramebufferLease, GeometryPool, RasterJob, RasterOptions, RasterThread, SetupFn};
 use super::scheduler::{BinnedGeometry, SplitDraw, SplitDrawRun};
@@ -266,15 +266,6 @@ impl<P: FragmentProgram> Scene<P> {
     pub fn point(&mut self, v: VertexRef<'_>) {
         if let Some(mut builder) = self.builder() {
             builder.point(v);
-        }
-    }
-
-    /// Draws row runs whose fragments all have the values of one vertex: a bitmap at the raster position. No pixel may be
-    /// in two runs.
-    pub fn spans(&mut self, v: VertexRef<'_>, runs: impl Iterator<Item = Span>) {
-        if let Some(PrimitiveBuilder { cx, geometry, .. }) = self.builder() {
-            geometry.flush_batch(&cx);
-            geometry.runs(&cx, v, runs);
         }
     }
 

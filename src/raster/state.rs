@@ -140,15 +140,6 @@ impl RasterState {
             polygon_stipple: p.stipple.then(|| Box::new(state.polygon_stipple.0)),
         }
     }
-
-    /// The pixels that a primitive of one of these modes may write.
-    #[must_use]
-    pub const fn bounds(&self, mode: Mode) -> Rect {
-        match mode {
-            Mode::Fill => self.area,
-            _ => self.clip,
-        }
-    }
 }
 
 /// A width or size within its range; NaN is the least.

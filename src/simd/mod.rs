@@ -8,7 +8,7 @@ mod counters;
 mod level;
 mod stage;
 
-pub use bits::{BITS, Bits, count};
+pub use bits::{BITS, count};
 pub use counters::{Counters, StageCount, Tally};
 pub use level::Level;
 pub(crate) use stage::stage;

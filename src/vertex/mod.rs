@@ -206,12 +206,6 @@ impl<L: ElementList> ElementOrder<L> {
         }
     }
 
-    /// Whether there is none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// Some of them.
     #[must_use]
     pub fn part(&self, from: usize, until: usize) -> Self {

@@ -45,12 +45,6 @@ impl TransformedVertices {
         self.count
     }
 
-    /// Whether there is no vertex.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.count == 0
-    }
-
     /// Where a vertex is.
     #[inline]
     #[must_use]

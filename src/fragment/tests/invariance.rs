@@ -128,7 +128,7 @@ fn nothing_that_is_left_out_changes_a_bit() {
                         Some(want) => assert!(
                             *want == got,
                             "case {case} {level:?} general {general} {feed:?}\n{}{:?}",
-                            p.explain(),
+                            crate::fragment::explain::in_one_line(&p.decisions),
                             p.stage_names()
                         ),
                     }

@@ -142,7 +142,7 @@ fn same_bytes(
                     Some(want) => assert!(
                         *want == got,
                         "case {case} {level:?} general {general} {feed:?} wide {wide}\n{}{:?}",
-                        p.explain(),
+                        crate::fragment::explain::in_one_line(&p.decisions),
                         p.stage_names()
                     ),
                 }
@@ -261,7 +261,12 @@ fn a_texel_a_pixel_is_a_copy() {
     units[0] = Some(&object);
     let options = Options { q_units: 0, ..Options::default() };
     let p = Program::build(Level::detect(), &state, units, &format, options);
-    assert_eq!(p.layout.color, None, "REPLACE of an RGBA texture needs no colour\n{}", p.explain());
+    assert_eq!(
+        p.layout.color,
+        None,
+        "REPLACE of an RGBA texture needs no colour\n{}",
+        crate::fragment::explain::in_one_line(&p.decisions)
+    );
     assert_eq!(p.layout.count, 2);
     let plane = |n: f64, x: f64, y: f64| Plane { c: 0.0, min: 0.0, max: 1.0, n0: n, nx: x, ny: y };
     // Pixel centres: the planes are those of (x + 1/2) / 64 and (y + 1/2) / 32.

@@ -6,7 +6,7 @@ use super::planes::{Basis, CornerValues};
 use super::triangle::within_limit;
 use crate::fragment::planes::{Linear, Planes};
 use crate::raster::VertexRef;
-use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, Span, index};
+use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, index};
 use crate::raster::state::{Rect, limited_point};
 
 /// A point on its way to being filed.
@@ -117,31 +117,11 @@ impl SceneGeometry {
         cx.plan.planes(&Basis::default(), &values, &mut planes, &mut self.pool);
         planes
     }
-
-    /// Files row runs that all have the values of one vertex (a bitmap at the raster position). A pixel may be in them
-    /// once only.
-    pub(crate) fn runs(&mut self, cx: &SetupContext, v: VertexRef, runs: impl Iterator<Item = Span>) {
-        let (first, clip) = (self.spans.len(), cx.rs.clip);
-        let mut pixels = 0;
-        for Span { x, y, len } in runs {
-            let (x0, x1) = (x.max(clip.x0), x.saturating_add(len).min(clip.x1));
-            if x0 < x1 && (clip.y0..clip.y1).contains(&y) {
-                self.spans.push(Span { x: x0, y, len: x1 - x0 });
-                pixels += u64::from((x1 - x0).unsigned_abs());
-            }
-        }
-        let Some(begin) = self.spans.get(first) else { return };
-        let origin = [begin.x, begin.y];
-        let cover = Coverage::Spans { first: index(first), count: index(self.spans.len() - first) };
-        let planes = self.point_planes(cx, &PointInput { v, provoking: v.slots, back: false, offset: 0.0 }, origin);
-        self.file(cover, cx.draw, planes, pixels);
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::raster::testing::{Random, TestCanvas, vertex};
-    use crate::raster::{Span, VertexRef};
+    use crate::raster::testing::{Random, TestCanvas};
 
     #[test]
     fn aliased_points_are_squares_around_their_centres() {
@@ -177,20 +157,6 @@ mod tests {
             let area = std::f64::consts::PI * f64::from(size) * f64::from(size) / 4.0;
             assert!((sum / area - 1.0).abs() < 0.02, "{size}: {sum} {area}");
             assert!(seen.iter().all(|s| s.coverage > 0.0 && s.coverage <= 1.0));
-        }
-    }
-
-    #[test]
-    fn runs_are_clipped_and_hit_once() {
-        for (threads, cut) in [(1, 64), (2, 5)] {
-            let mut canvas = TestCanvas::new(64, 0, threads, cut, |_| {});
-            let head = vertex(70.0, -3.0, 0.5, 1.0);
-            let runs = (-4..70).map(|y| Span { x: y - 8, y, len: if y == 30 { i32::MAX } else { 21 } });
-            canvas.scene.spans(VertexRef { head: &head, slots: &[] }, runs);
-            for (i, n) in canvas.hits().into_iter().enumerate() {
-                let (x, y) = (i as i32 % 64, i as i32 / 64);
-                assert_eq!(n == 1, x >= y - 8 && (x < y + 13 || y == 30), "{x} {y}");
-            }
         }
     }
 
