@@ -4,7 +4,7 @@
 
 use crate::enums::{
     GL_INVALID_ENUM, GL_INVALID_OPERATION, GL_INVALID_VALUE, GL_OUT_OF_MEMORY, GL_STACK_OVERFLOW, GL_STACK_UNDERFLOW,
-    GLenum,
+    GLenum, Named,
 };
 
 /// An error of one GL command: the code of table 2.3 and its meaning in words.
@@ -40,6 +40,18 @@ constructors! {
     stack_underflow = GL_STACK_UNDERFLOW;
     /// Not enough memory left to execute the command.
     out_of_memory = GL_OUT_OF_MEMORY;
+}
+
+/// The value that an enumerant was found to stand for, or `INVALID_ENUM` with "... is not `what`".
+#[inline]
+pub fn known<T>(found: Option<T>, value: GLenum, what: &str) -> Outcome<T> {
+    found.ok_or_else(|| not_one(value, what))
+}
+
+/// The error of an enumerant that is not one of those that a command takes.
+#[cold]
+pub fn not_one(value: GLenum, what: &str) -> GlError {
+    invalid_enum(format!("{} is not {what}", Named(value)))
 }
 
 impl std::fmt::Display for GlError {

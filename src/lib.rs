@@ -91,6 +91,7 @@ pub mod internals {
     pub use crate::context::table;
     pub use crate::limits::MAX_TEXTURE_LOD_BIAS;
     pub use crate::simd::{LANES, Level};
+    pub use crate::state::compare::CompareFunc;
     pub use crate::state::texture::Target;
     pub use crate::texture::batch::TexBatch;
     pub use crate::texture::format::InternalFormat;

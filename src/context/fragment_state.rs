@@ -3,17 +3,15 @@
 
 use super::engine::Engine;
 use crate::enums::*;
-use crate::error::{Outcome, invalid_enum, invalid_operation};
+use crate::error::{Outcome, invalid_enum, invalid_operation, known};
 use crate::num::clamp01;
 use crate::state::Dirty;
+use crate::state::compare::CompareFunc;
 
 const FRAGMENT: Dirty = Dirty { vertex: false, fragment: true, raster: false };
 
-fn compare_function(func: GLenum) -> Outcome {
-    if (GL_NEVER..=GL_ALWAYS).contains(&func) {
-        return Ok(());
-    }
-    Err(invalid_enum(format!("{} is not a comparison function (GL_NEVER to GL_ALWAYS)", name(func))))
+fn compare_function(func: GLenum) -> Outcome<CompareFunc> {
+    known(CompareFunc::from_gl(func), func, "a comparison function (GL_NEVER to GL_ALWAYS)")
 }
 
 fn blend_factor(factor: GLenum, source: bool) -> Outcome {
@@ -43,8 +41,7 @@ fn blend_factor(factor: GLenum, source: bool) -> Outcome {
 
 impl Engine {
     pub(crate) fn alpha_func(&mut self, func: GLenum, reference: f32) -> Outcome {
-        compare_function(func)?;
-        self.state.color_buffer.alpha_func = func;
+        self.state.color_buffer.alpha_func = compare_function(func)?;
         self.state.color_buffer.alpha_ref = clamp01(reference);
         self.dirty.add(FRAGMENT);
         Ok(())
@@ -81,8 +78,7 @@ impl Engine {
     }
 
     pub(crate) fn depth_func(&mut self, func: GLenum) -> Outcome {
-        compare_function(func)?;
-        self.state.depth.func = func;
+        self.state.depth.func = compare_function(func)?;
         self.dirty.add(FRAGMENT);
         Ok(())
     }
@@ -93,7 +89,7 @@ impl Engine {
     }
 
     pub(crate) fn stencil_func(&mut self, func: GLenum, reference: i32, mask: u32) -> Outcome {
-        compare_function(func)?;
+        let func = compare_function(func)?;
         let stencil = &mut self.state.stencil;
         (stencil.func, stencil.reference, stencil.value_mask) = (func, reference, mask);
         self.dirty.add(FRAGMENT);

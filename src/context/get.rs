@@ -113,9 +113,9 @@ fn fragment(s: &State, pname: GLenum) -> Option<Values> {
     let (c, st) = (&s.color_buffer, &s.stencil);
     Some(match pname {
         GL_SCISSOR_BOX => Values::ints(&[s.scissor.x, s.scissor.y, s.scissor.width, s.scissor.height]),
-        GL_ALPHA_TEST_FUNC => Values::enumerant(c.alpha_func),
+        GL_ALPHA_TEST_FUNC => Values::enumerant(c.alpha_func.gl()),
         GL_ALPHA_TEST_REF => Values::unit(&[c.alpha_ref]),
-        GL_STENCIL_FUNC => Values::enumerant(st.func),
+        GL_STENCIL_FUNC => Values::enumerant(st.func.gl()),
         GL_STENCIL_VALUE_MASK => Values::uint(st.value_mask),
         GL_STENCIL_REF => Values::int(st.reference.clamp(0, 255)),
         GL_STENCIL_FAIL => Values::enumerant(st.fail),
@@ -123,7 +123,7 @@ fn fragment(s: &State, pname: GLenum) -> Option<Values> {
         GL_STENCIL_PASS_DEPTH_PASS => Values::enumerant(st.depth_pass),
         GL_STENCIL_WRITEMASK => Values::uint(st.write_mask),
         GL_STENCIL_CLEAR_VALUE => Values::int(st.clear),
-        GL_DEPTH_FUNC => Values::enumerant(s.depth.func),
+        GL_DEPTH_FUNC => Values::enumerant(s.depth.func.gl()),
         GL_DEPTH_WRITEMASK => Values::boolean(s.depth.mask),
         GL_DEPTH_CLEAR_VALUE => Values::unit_doubles(&[s.depth.clear]),
         GL_BLEND_SRC | GL_BLEND_SRC_RGB => Values::enumerant(c.blend_src[0]),

@@ -5,9 +5,10 @@ use super::enable::texture_target;
 use super::engine::Engine;
 use super::{Params, Values};
 use crate::enums::*;
-use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, known};
 use crate::num::clamp01;
 use crate::state::Dirty;
+use crate::state::compare::CompareFunc;
 use crate::state::texture::{Target, TexParameters, TextureState};
 use crate::texture::object::TextureObject;
 use std::collections::HashMap;
@@ -286,10 +287,7 @@ fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &
             _ => return Err(wrong("GL_NONE or GL_COMPARE_R_TO_TEXTURE", value)),
         },
         GL_TEXTURE_COMPARE_FUNC => {
-            if !(GL_NEVER..=GL_ALWAYS).contains(&value) {
-                return Err(wrong("a comparison function", value));
-            }
-            p.compare_func = value;
+            p.compare_func = known(CompareFunc::from_gl(value), value, "a comparison function")?;
         }
         GL_GENERATE_MIPMAP => p.generate_mipmap = params.boolean(),
         _ => return Err(wrong("a texture parameter", pname)),
@@ -315,7 +313,7 @@ fn parameter_value(p: &TexParameters, pname: GLenum) -> Option<Values> {
         GL_TEXTURE_MAX_ANISOTROPY_EXT => Values::float(p.max_anisotropy),
         GL_DEPTH_TEXTURE_MODE => Values::enumerant(p.depth_mode),
         GL_TEXTURE_COMPARE_MODE => Values::enumerant(p.compare_mode),
-        GL_TEXTURE_COMPARE_FUNC => Values::enumerant(p.compare_func),
+        GL_TEXTURE_COMPARE_FUNC => Values::enumerant(p.compare_func.gl()),
         GL_GENERATE_MIPMAP => Values::boolean(p.generate_mipmap),
         _ => return None,
     })

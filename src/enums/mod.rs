@@ -5,10 +5,12 @@
 mod core_more_names;
 mod core_names;
 mod extension_names;
+mod gl_enum;
 
 pub use core_more_names::*;
 pub use core_names::*;
 pub use extension_names::*;
+pub(crate) use gl_enum::gl_enum;
 
 use std::fmt;
 

@@ -1,57 +1,15 @@
 //! The eight comparison functions of the alpha, stencil and depth tests (OpenGL 1.5, sections 4.1.4 to 4.1.6), over the
 //! lanes of a batch.
 
-use crate::enums::{
-    GL_ALWAYS, GL_EQUAL, GL_GEQUAL, GL_GREATER, GL_LEQUAL, GL_LESS, GL_NEVER, GL_NOTEQUAL, GLenum, name,
-};
 use crate::fragment::reference::lanes::ones;
-
-/// A comparison function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Func {
-    /// Never passes.
-    Never,
-    /// Passes where the fragment's value is less.
-    Less,
-    /// Passes where it is equal.
-    Equal,
-    /// Passes where it is less or equal.
-    Lequal,
-    /// Passes where it is greater.
-    Greater,
-    /// Passes where it differs.
-    Notequal,
-    /// Passes where it is greater or equal.
-    Gequal,
-    /// Always passes.
-    Always,
-}
+pub use crate::state::compare::CompareFunc as Func;
 
 impl Func {
-    /// All functions, in the order of their enumerants.
-    pub const ALL: [Self; 8] =
-        [Self::Never, Self::Less, Self::Equal, Self::Lequal, Self::Greater, Self::Notequal, Self::Gequal, Self::Always];
-    const ENUMERANTS: [GLenum; 8] =
-        [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];
-
-    /// The function of an enumerant; ALWAYS for what is none (the commands let no such value into the state).
-    #[must_use]
-    pub fn from_enum(value: GLenum) -> Self {
-        let i = Self::ENUMERANTS.iter().position(|e| *e == value).unwrap_or(7);
-        Self::from_arg(i as u32)
-    }
-
     /// The function that a stage's number stands for.
     #[inline(always)]
     #[must_use]
     pub fn from_arg(arg: u32) -> Self {
         Self::ALL[(arg & 7) as usize]
-    }
-
-    /// GL's name.
-    #[must_use]
-    pub fn name(self) -> String {
-        name(Self::ENUMERANTS[self as usize])
     }
 }
 
@@ -161,8 +119,7 @@ mod tests {
             for (a, b) in [(1, 2), (2, 2), (2, 1)] {
                 assert_eq!(holds(func, &[a; LANES], &[b; LANES]), pass[func as usize](a, b), "{func:?} {a} {b}");
             }
-            assert_eq!(Func::from_enum(Func::ENUMERANTS[func as usize]), func);
+            assert_eq!(Func::from_arg(func as u32), func);
         }
-        assert_eq!(Func::Gequal.name(), "GL_GEQUAL");
     }
 }

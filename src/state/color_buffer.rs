@@ -1,7 +1,8 @@
 //! Per-fragment and whole-framebuffer state (OpenGL 1.5, sections 4.1 and 4.2, tables 6.20 and 6.21): scissor, alpha
 //! test, blending, logic op, masks, clear values.
 
-use crate::enums::{GL_ALWAYS, GL_COPY, GL_FRONT, GL_FUNC_ADD, GL_ONE, GL_ZERO, GLenum};
+use super::compare::CompareFunc;
+use crate::enums::{GL_COPY, GL_FRONT, GL_FUNC_ADD, GL_ONE, GL_ZERO, GLenum};
 
 /// The scissor box. The context sets its initial size to the window's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,7 +25,7 @@ pub struct ColorBuffer {
     /// `GL_ALPHA_TEST`.
     pub alpha_test: bool,
     /// Alpha comparison function.
-    pub alpha_func: GLenum,
+    pub alpha_func: CompareFunc,
     /// Alpha reference in [0, 1].
     pub alpha_ref: f32,
     /// `GL_BLEND`.
@@ -61,7 +62,7 @@ impl Default for ColorBuffer {
     fn default() -> Self {
         Self {
             alpha_test: false,
-            alpha_func: GL_ALWAYS,
+            alpha_func: CompareFunc::Always,
             alpha_ref: 0.0,
             blend: false,
             blend_src: [GL_ONE; 2],

@@ -1,6 +1,7 @@
 //! Depth and stencil test state (OpenGL 1.5, sections 4.1.5 and 4.1.6, table 6.20).
 
-use crate::enums::{GL_ALWAYS, GL_KEEP, GL_LESS, GLenum};
+use super::compare::CompareFunc;
+use crate::enums::{GL_KEEP, GLenum};
 
 /// Depth test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -8,7 +9,7 @@ pub struct Depth {
     /// `GL_DEPTH_TEST`.
     pub test: bool,
     /// Comparison function.
-    pub func: GLenum,
+    pub func: CompareFunc,
     /// Whether the depth buffer is written.
     pub mask: bool,
     /// Clear value in [0, 1].
@@ -17,7 +18,7 @@ pub struct Depth {
 
 impl Default for Depth {
     fn default() -> Self {
-        Self { test: false, func: GL_LESS, mask: true, clear: 1.0 }
+        Self { test: false, func: CompareFunc::Less, mask: true, clear: 1.0 }
     }
 }
 
@@ -27,7 +28,7 @@ pub struct Stencil {
     /// `GL_STENCIL_TEST`.
     pub test: bool,
     /// Comparison function.
-    pub func: GLenum,
+    pub func: CompareFunc,
     /// Reference value.
     pub reference: i32,
     /// Comparison mask.
@@ -48,7 +49,7 @@ impl Default for Stencil {
     fn default() -> Self {
         Self {
             test: false,
-            func: GL_ALWAYS,
+            func: CompareFunc::Always,
             reference: 0,
             value_mask: u32::MAX,
             fail: GL_KEEP,

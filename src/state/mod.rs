@@ -4,6 +4,7 @@
 //! stale ([`Dirty`]); plans and uniforms are built from the groups when something is drawn.
 
 pub mod color_buffer;
+pub mod compare;
 pub mod current;
 pub mod depth_stencil;
 pub mod eval;

@@ -3,9 +3,10 @@
 //! to a texture object ([`TexParameters`]) is stored with the object.
 
 use super::PerUnit;
+use super::compare::CompareFunc;
 use crate::enums::{
-    GL_CONSTANT, GL_EYE_LINEAR, GL_LEQUAL, GL_LINEAR, GL_LUMINANCE, GL_MODULATE, GL_NEAREST_MIPMAP_LINEAR, GL_NONE,
-    GL_PREVIOUS, GL_REPEAT, GL_SRC_ALPHA, GL_SRC_COLOR, GL_TEXTURE, GLenum,
+    GL_CONSTANT, GL_EYE_LINEAR, GL_LINEAR, GL_LUMINANCE, GL_MODULATE, GL_NEAREST_MIPMAP_LINEAR, GL_NONE, GL_PREVIOUS,
+    GL_REPEAT, GL_SRC_ALPHA, GL_SRC_COLOR, GL_TEXTURE, GLenum,
 };
 
 /// Texture targets in the order of ascending precedence: of several enabled targets of a unit the last one applies.
@@ -143,7 +144,7 @@ pub struct TexParameters {
     /// `GL_NONE` or `GL_COMPARE_R_TO_TEXTURE`.
     pub compare_mode: GLenum,
     /// Comparison function.
-    pub compare_func: GLenum,
+    pub compare_func: CompareFunc,
     /// `GL_GENERATE_MIPMAP`.
     pub generate_mipmap: bool,
 }
@@ -164,7 +165,7 @@ impl Default for TexParameters {
             max_anisotropy: 1.0,
             depth_mode: GL_LUMINANCE,
             compare_mode: GL_NONE,
-            compare_func: GL_LEQUAL,
+            compare_func: CompareFunc::Lequal,
             generate_mipmap: false,
         }
     }

@@ -9,6 +9,7 @@ use super::object::TextureObject;
 use crate::enums::*;
 use crate::limits::{MAX_TEXTURE_LEVELS, MAX_TEXTURE_LOD_BIAS};
 use crate::num::{clamp_f32, max_f32, min_f32};
+use crate::state::compare::CompareFunc;
 use crate::state::texture::Target;
 use std::sync::Arc;
 
@@ -86,7 +87,7 @@ pub struct UnitUniforms {
     /// Greatest number of taps of the anisotropic filter.
     pub max_taps: f32,
     /// TEXTURE_COMPARE_FUNC.
-    pub compare_func: GLenum,
+    pub compare_func: CompareFunc,
 }
 
 /// The whole part of the binary logarithm of the largest dimension: how many levels follow a base level of this size.

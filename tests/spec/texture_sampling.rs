@@ -7,7 +7,8 @@ use super::oracle::lod::Levels;
 use super::oracle::texel::{Image as OracleImage, Sampled, Texture};
 use fixedgl::enums::*;
 use fixedgl::internals::{
-    Dimensions, Image, InternalFormat, LANES, Level, Sampler, Target, TexBatch, Texels, TextureObject, prepare,
+    CompareFunc, Dimensions, Image, InternalFormat, LANES, Level, Sampler, Target, TexBatch, Texels, TextureObject,
+    prepare,
 };
 use std::sync::Arc;
 
@@ -139,8 +140,9 @@ fn texture(random: &mut Random, target: Target, depth: bool) -> Pair {
         let funcs = [GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER];
         if random.bits().is_multiple_of(2) {
             p.compare_mode = GL_COMPARE_R_TO_TEXTURE;
-            p.compare_func = random.of(&funcs);
-            oracle.compare = Some(p.compare_func);
+            let func = random.of(&funcs);
+            p.compare_func = CompareFunc::from_gl(func).unwrap();
+            oracle.compare = Some(func);
         }
     }
     oracle.wrap = p.wrap;

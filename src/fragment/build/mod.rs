@@ -249,12 +249,12 @@ impl Builder<'_> {
     fn tests(&mut self) -> Tests {
         let general = self.options.general;
         let (c, d, s) = (&self.state.color_buffer, &self.state.depth, &self.state.stencil);
-        let alpha = if c.alpha_test { Func::from_enum(c.alpha_func) } else { Func::Always };
+        let alpha = if c.alpha_test { c.alpha_func } else { Func::Always };
         let depth_on = d.test && self.format.depth_bits != 0;
-        let depth = if depth_on { Func::from_enum(d.func) } else { Func::Always };
+        let depth = if depth_on { d.func } else { Func::Always };
         let depth_write = depth_on && d.mask && depth != Func::Never;
         let stencil_on = s.test && self.format.stencil_bits != 0;
-        let func = if stencil_on { Func::from_enum(s.func) } else { Func::Always };
+        let func = if stencil_on { s.func } else { Func::Always };
         let op = |on: bool, value| if stencil_on && on { StencilOp::from_enum(value) } else { StencilOp::Keep };
         let stencil = StencilUniforms {
             reference: s.reference.clamp(0, 255).cast_unsigned(),

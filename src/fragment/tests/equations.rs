@@ -6,6 +6,7 @@ use crate::fragment::program::{Fate, Options};
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;
+use crate::state::compare::CompareFunc;
 
 /// An operation on two bytes.
 type Bytes = fn(u8, u8) -> u8;
@@ -113,7 +114,7 @@ fn blending_is_exact_at_its_ends() {
 #[test]
 fn depth_is_rounded_to_the_buffer() {
     let mut state = State::default();
-    (state.depth.test, state.depth.func) = (true, GL_ALWAYS);
+    (state.depth.test, state.depth.func) = (true, CompareFunc::Always);
     for (z, want) in [
         (0.0, 0),
         (0.5, 0),
@@ -142,15 +143,15 @@ fn depth_is_rounded_to_the_buffer() {
 #[test]
 fn the_depth_test_compares_and_writes() {
     type Pass = fn(u32, u32) -> bool;
-    let funcs: [(GLenum, Pass); 8] = [
-        (GL_NEVER, |_, _| false),
-        (GL_LESS, |a, b| a < b),
-        (GL_EQUAL, |a, b| a == b),
-        (GL_LEQUAL, |a, b| a <= b),
-        (GL_GREATER, |a, b| a > b),
-        (GL_NOTEQUAL, |a, b| a != b),
-        (GL_GEQUAL, |a, b| a >= b),
-        (GL_ALWAYS, |_, _| true),
+    let funcs: [(CompareFunc, Pass); 8] = [
+        (CompareFunc::Never, |_, _| false),
+        (CompareFunc::Less, |a, b| a < b),
+        (CompareFunc::Equal, |a, b| a == b),
+        (CompareFunc::Lequal, |a, b| a <= b),
+        (CompareFunc::Greater, |a, b| a > b),
+        (CompareFunc::Notequal, |a, b| a != b),
+        (CompareFunc::Gequal, |a, b| a >= b),
+        (CompareFunc::Always, |_, _| true),
     ];
     let mut state = State::default();
     state.depth.test = true;
@@ -160,8 +161,8 @@ fn the_depth_test_compares_and_writes() {
                 (state.depth.func, state.depth.mask) = (func, mask);
                 let (c, d, _) = one(&state, [1.0; 4], f64::from(z), [0; 4], 100, 0);
                 let passed = pass(z, 100);
-                assert_eq!(c, if passed { [255; 4] } else { [0; 4] }, "{} {z}", name(func));
-                assert_eq!(d, if passed && mask { z } else { 100 }, "{} {z} mask {mask}", name(func));
+                assert_eq!(c, if passed { [255; 4] } else { [0; 4] }, "{} {z}", func.name());
+                assert_eq!(d, if passed && mask { z } else { 100 }, "{} {z} mask {mask}", func.name());
             }
         }
     }
@@ -189,8 +190,8 @@ fn stencil_operations_are_those_of_the_three_cases() {
                 (state.stencil.test, state.depth.test) = (true, true);
                 state.stencil.reference = 0x35;
                 state.stencil.write_mask = r.pick(&[0xFF, 0x0F, 0xFFFF_FF80]);
-                state.stencil.func = if case == 0 { GL_NEVER } else { GL_ALWAYS };
-                state.depth.func = if case == 1 { GL_GREATER } else { GL_LESS };
+                state.stencil.func = if case == 0 { CompareFunc::Never } else { CompareFunc::Always };
+                state.depth.func = if case == 1 { CompareFunc::Greater } else { CompareFunc::Less };
                 let st = &mut state.stencil;
                 *[&mut st.fail, &mut st.depth_fail, &mut st.depth_pass][case] = op;
                 let mask = st.write_mask as u8;
@@ -201,7 +202,7 @@ fn stencil_operations_are_those_of_the_three_cases() {
         }
     }
     let mut state = State::default();
-    (state.stencil.test, state.stencil.func) = (true, GL_LESS);
+    (state.stencil.test, state.stencil.func) = (true, CompareFunc::Less);
     (state.stencil.reference, state.stencil.value_mask) = (0x41, 0x0F);
     assert_eq!(one(&state, [1.0; 4], 0.0, [0; 4], 0, 0x32).0, [255; 4], "1 < 2 under the mask");
     assert_eq!(one(&state, [1.0; 4], 0.0, [0; 4], 0, 0xF1).0, [0; 4], "1 < 1 under the mask");
@@ -211,7 +212,7 @@ fn stencil_operations_are_those_of_the_three_cases() {
 fn the_alpha_test_looks_at_bytes() {
     let mut state = State::default();
     state.color_buffer.alpha_test = true;
-    state.color_buffer.alpha_func = GL_EQUAL;
+    state.color_buffer.alpha_func = CompareFunc::Equal;
     state.color_buffer.alpha_ref = 100.3 / 255.0;
     let drawn = |a: f64| one(&state, [1.0, 1.0, 1.0, a / 255.0], 0.0, [0; 4], 0, 0).0[0] == 255;
     assert!(drawn(99.6) && drawn(100.4) && !drawn(100.6) && !drawn(99.4));
@@ -287,7 +288,7 @@ fn fog_is_the_equation() {
 fn coverage_comes_after_fog_and_before_the_alpha_test() {
     use crate::fragment::batch::FragmentBatch;
     let mut state = State::default();
-    (state.color_buffer.alpha_test, state.color_buffer.alpha_func) = (true, GL_GEQUAL);
+    (state.color_buffer.alpha_test, state.color_buffer.alpha_func) = (true, CompareFunc::Gequal);
     state.color_buffer.alpha_ref = 0.5;
     let format = FramebufferFormat::default();
     let mut f = Framebuffer::new(3, 1, format).unwrap();
@@ -308,7 +309,7 @@ fn samples_are_those_that_pass() {
     let format = FramebufferFormat::default();
     for alpha_test in [false, true] {
         state.color_buffer.alpha_test = alpha_test;
-        state.color_buffer.alpha_func = GL_GREATER;
+        state.color_buffer.alpha_func = CompareFunc::Greater;
         let p = program(Level::detect(), &state, &format, Options { count_samples: true, ..Options::default() });
         let mut f = Framebuffer::new(90, 9, format).unwrap();
         let mut scene = flat([1.0; 4], 100.0);
@@ -362,7 +363,7 @@ fn a_program_says_what_it_does() {
     let mut state = State::default();
     state.depth.test = true;
     state.color_buffer.alpha_test = true;
-    state.color_buffer.alpha_func = GL_GREATER;
+    state.color_buffer.alpha_func = CompareFunc::Greater;
     let p = program(Level::Baseline, &state, &format, Options::default());
     let names = p.stage_names();
     let at = |n: &str| names.iter().position(|s| *s == n).unwrap_or_else(|| panic!("{n} in {names:?}"));

@@ -50,7 +50,7 @@ fn colours_are_interpolated_in_perspective() {
 fn moving_a_primitive_by_whole_pixels_changes_nothing() {
     let format = FramebufferFormat { float: true, ..FramebufferFormat::default() };
     let mut state = State::default();
-    (state.depth.test, state.depth.func) = (true, crate::enums::GL_ALWAYS);
+    (state.depth.test, state.depth.func) = (true, crate::state::compare::CompareFunc::Always);
     let p = program(Level::detect(), &state, &format, Options::default());
     let mut r = Random::new(6);
     for _ in 0..40 {

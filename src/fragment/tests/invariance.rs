@@ -7,25 +7,25 @@ use crate::fragment::program::Options;
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;
+use crate::state::compare::CompareFunc;
 
-const FUNCS: [GLenum; 8] = [GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS];
 const OPS: [GLenum; 8] = [GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP];
 
 /// A random state of everything after interpolation.
 fn state(r: &mut Random) -> State {
     let mut s = State::default();
     s.depth.test = r.bool();
-    s.depth.func = r.pick(&FUNCS);
+    s.depth.func = r.pick(&CompareFunc::ALL);
     s.depth.mask = r.bool();
     s.stencil.test = r.below(3) == 0;
-    s.stencil.func = r.pick(&FUNCS);
+    s.stencil.func = r.pick(&CompareFunc::ALL);
     s.stencil.reference = r.below(300) as i32 - 20;
     s.stencil.value_mask = r.pick(&[u32::MAX, 0x0F]);
     s.stencil.write_mask = r.pick(&[u32::MAX, 0xF0, 0]);
     (s.stencil.fail, s.stencil.depth_fail, s.stencil.depth_pass) = (r.pick(&OPS), r.pick(&OPS), r.pick(&OPS));
     let c = &mut s.color_buffer;
     c.alpha_test = r.below(3) == 0;
-    c.alpha_func = r.pick(&FUNCS);
+    c.alpha_func = r.pick(&CompareFunc::ALL);
     c.alpha_ref = r.unit() as f32;
     c.blend = r.bool();
     let (src, dst) = match r.below(3) {
@@ -227,10 +227,18 @@ fn coarse_depths_change_no_bit() {
             scene.push([0, 0], [200.0, 12.0], z, [1.0; 3], &slots);
             let mut state = State::default();
             state.depth.test = true;
-            state.depth.func = r.pick(&[GL_LESS, GL_LESS, GL_LEQUAL, GL_LEQUAL, GL_EQUAL, GL_GREATER, GL_ALWAYS]);
+            state.depth.func = r.pick(&[
+                CompareFunc::Less,
+                CompareFunc::Less,
+                CompareFunc::Lequal,
+                CompareFunc::Lequal,
+                CompareFunc::Equal,
+                CompareFunc::Greater,
+                CompareFunc::Always,
+            ]);
             state.depth.mask = r.below(4) != 0;
             state.color_buffer.alpha_test = r.below(4) == 0;
-            (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (GL_GREATER, 0.5);
+            (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (CompareFunc::Greater, 0.5);
             // With blending there is no stage that fills.
             state.color_buffer.blend = r.bool();
             (state.color_buffer.blend_src, state.color_buffer.blend_dst) = ([GL_DST_COLOR; 2], [GL_SRC_ALPHA; 2]);

@@ -8,6 +8,7 @@ use crate::fragment::program::Program;
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;
+use crate::state::compare::CompareFunc;
 use crate::state::texture::Target;
 use crate::texture::format::InternalFormat;
 use crate::texture::image::{Dimensions, Image, Texels};
@@ -96,7 +97,7 @@ fn textured_programs_leave_out_nothing_that_shows() {
         state.color_buffer.blend_src = [GL_SRC_ALPHA; 2];
         state.color_buffer.blend_dst = [GL_ONE_MINUS_SRC_ALPHA; 2];
         state.color_buffer.alpha_test = r.below(3) == 0;
-        (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (GL_GREATER, 0.2);
+        (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (CompareFunc::Greater, 0.2);
         (state.fog.enabled, state.fog.color_sum) = (r.below(3) == 0, r.below(3) == 0);
         let mut textures = Vec::new();
         for unit in 0..3 {
@@ -159,7 +160,7 @@ fn texels_that_become_pixels_at_once_are_the_same() {
     for case in 0..240 {
         let mut state = State::default();
         state.color_buffer.alpha_test = r.below(3) == 0;
-        (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (GL_GREATER, 0.4);
+        (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (CompareFunc::Greater, 0.4);
         (state.depth.test, state.depth.mask) = (r.bool(), r.bool());
         let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
         let count = r.pick(&[1, 1, 2]);
@@ -211,7 +212,7 @@ fn whole_runs_give_the_same_bytes_as_batches() {
     for case in 0..500 {
         let mut state = State::default();
         (state.depth.test, state.depth.mask) = (r.bool(), r.bool());
-        state.depth.func = r.pick(&[GL_LESS, GL_GREATER, GL_ALWAYS]);
+        state.depth.func = r.pick(&[CompareFunc::Less, CompareFunc::Greater, CompareFunc::Always]);
         state.texture.units[0].env.mode = r.pick(&[GL_REPLACE, GL_MODULATE]);
         state.color_buffer.blend = r.below(3) == 0;
         let factors = [(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), (GL_SRC_ALPHA, GL_ONE), (GL_DST_COLOR, GL_ZERO)];

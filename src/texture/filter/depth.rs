@@ -8,6 +8,7 @@ use super::float::{each_lane, neighbours};
 use crate::enums::*;
 use crate::num::clamp01;
 use crate::simd::{Cost, LANES, Stage, stage};
+use crate::state::compare::CompareFunc;
 use crate::texture::batch::{Lanes, TexBatch};
 use crate::texture::filter::{SECOND, destination, lerp};
 use crate::texture::format::BaseFormat;
@@ -48,7 +49,7 @@ fn texels(image: &MipLevel) -> &[f32] {
 
 /// Replaces depths by whether r compares so with them.
 #[inline(always)]
-fn compare(func: GLenum, r: &Lanes, depths: &mut Lanes) {
+fn compare(func: CompareFunc, r: &Lanes, depths: &mut Lanes) {
     #[inline(always)]
     fn each(r: &Lanes, depths: &mut Lanes, passes: impl Fn(f32, f32) -> bool) {
         for i in 0..LANES {
@@ -56,14 +57,14 @@ fn compare(func: GLenum, r: &Lanes, depths: &mut Lanes) {
         }
     }
     match func {
-        GL_NEVER => *depths = [0.0; LANES],
-        GL_LESS => each(r, depths, |r, d| r < d),
-        GL_EQUAL => each(r, depths, |r, d| r == d),
-        GL_GREATER => each(r, depths, |r, d| r > d),
-        GL_NOTEQUAL => each(r, depths, |r, d| r != d),
-        GL_GEQUAL => each(r, depths, |r, d| r >= d),
-        GL_ALWAYS => *depths = [1.0; LANES],
-        _ => each(r, depths, |r, d| r <= d),
+        CompareFunc::Never => *depths = [0.0; LANES],
+        CompareFunc::Less => each(r, depths, |r, d| r < d),
+        CompareFunc::Equal => each(r, depths, |r, d| r == d),
+        CompareFunc::Lequal => each(r, depths, |r, d| r <= d),
+        CompareFunc::Greater => each(r, depths, |r, d| r > d),
+        CompareFunc::Notequal => each(r, depths, |r, d| r != d),
+        CompareFunc::Gequal => each(r, depths, |r, d| r >= d),
+        CompareFunc::Always => *depths = [1.0; LANES],
     }
 }
 
@@ -171,6 +172,7 @@ pub fn stage(dims: usize, linear: bool, compare: bool) -> &'static Stage<TexFn> 
 #[cfg(test)]
 mod tests {
     use crate::enums::*;
+    use crate::state::compare::CompareFunc;
     use crate::state::texture::Target;
     use crate::texture::object::TextureObject;
     use crate::texture::tests::support::*;
@@ -199,14 +201,14 @@ mod tests {
     fn every_comparison_against_less_equal_and_greater() {
         // r below, at and above the depth 1/2.
         let table = [
-            (GL_NEVER, [0.0, 0.0, 0.0]),
-            (GL_LESS, [1.0, 0.0, 0.0]),
-            (GL_EQUAL, [0.0, 1.0, 0.0]),
-            (GL_LEQUAL, [1.0, 1.0, 0.0]),
-            (GL_GREATER, [0.0, 0.0, 1.0]),
-            (GL_NOTEQUAL, [1.0, 0.0, 1.0]),
-            (GL_GEQUAL, [0.0, 1.0, 1.0]),
-            (GL_ALWAYS, [1.0, 1.0, 1.0]),
+            (CompareFunc::Never, [0.0, 0.0, 0.0]),
+            (CompareFunc::Less, [1.0, 0.0, 0.0]),
+            (CompareFunc::Equal, [0.0, 1.0, 0.0]),
+            (CompareFunc::Lequal, [1.0, 1.0, 0.0]),
+            (CompareFunc::Greater, [0.0, 0.0, 1.0]),
+            (CompareFunc::Notequal, [1.0, 0.0, 1.0]),
+            (CompareFunc::Gequal, [0.0, 1.0, 1.0]),
+            (CompareFunc::Always, [1.0, 1.0, 1.0]),
         ];
         for filter in [GL_NEAREST, GL_LINEAR] {
             for (func, want) in table {
@@ -214,7 +216,7 @@ mod tests {
                 (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, func);
                 let points = [0.4, 0.5, 0.6].map(|r| at(0.625, 0.5, r));
                 let got: Vec<f32> = sample(&o, &points).iter().map(|c| c[0]).collect();
-                assert_eq!(got, want, "{func:x} {filter:x}");
+                assert_eq!(got, want, "{func:?} {filter:x}");
             }
         }
     }
@@ -222,13 +224,13 @@ mod tests {
     #[test]
     fn linear_blends_comparisons_and_not_depths() {
         let mut o = depths(GL_INTENSITY, GL_LINEAR);
-        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, GL_LEQUAL);
+        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, CompareFunc::Lequal);
         // Between the columns of 1/4 and 1/2, three quarters of the way: r = 0.3 passes in the second only.
         assert_eq!(sample(&o, &[at(0.5 - 0.0625, 0.5, 0.3)])[0][0], 0.25);
         assert_eq!(sample(&o, &[at(0.5625, 0.5, 0.3)])[0][0], 0.75);
         // r is limited to 0..1: beyond 1 it equals a depth of 1.
         let mut o = object(Target::D1, GL_DEPTH_COMPONENT24, [2, 1, 1], 1, |_, _, _| [1.0; 4]);
-        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, GL_EQUAL);
+        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, CompareFunc::Equal);
         assert_eq!(
             sample(&o, &[at(0.2, 0.0, 7.0), at(0.2, 0.0, 0.99)]).iter().map(|c| c[0]).collect::<Vec<_>>(),
             [1.0, 0.0]
