@@ -146,7 +146,8 @@ pub fn four_meshes(s: &mut Stage) {
 pub fn immediate(s: &mut Stage) {
     s.texture(Tex { size: 256, ..Tex::default() });
     s.depth(GL_LEQUAL);
-    s.grid(316, 316);
+    let n = 316 / s.coarser;
+    s.grid(n, n);
 }
 
 pub fn draw_immediate(s: &mut Stage) {

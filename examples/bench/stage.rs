@@ -29,6 +29,8 @@ pub struct Stage {
     pub gl: Context,
     /// Width and height of the framebuffer.
     pub size: u32,
+    /// By what the cells of a mesh on each side are divided: 1 to measure, more where it is drawn again and again.
+    pub coarser: usize,
     /// Depth of the quad.
     pub z: f32,
     /// Whether its corners have colours of their own.
@@ -112,6 +114,7 @@ impl Stage {
         Self {
             gl,
             size,
+            coarser: 1,
             z: 0.0,
             colored: false,
             units: 1,
@@ -180,7 +183,7 @@ impl Stage {
     }
 
     /// A perspective projection.
-    fn perspective(&mut self, degrees: f64, near: f64, far: f64) {
+    pub fn perspective(&mut self, degrees: f64, near: f64, far: f64) {
         let top = near * sin(0.5 * degrees * DEGREE) / cos(0.5 * degrees * DEGREE);
         self.gl.matrix_mode(GL_PROJECTION);
         self.gl.load_identity();
@@ -236,7 +239,7 @@ impl Stage {
     }
 
     /// Two triangles for each cell of a lattice of vertices.
-    fn lattice(&mut self, [nu, nv]: [usize; 2], vertex: impl Fn(usize, usize) -> Vertex) {
+    pub fn lattice(&mut self, [nu, nv]: [usize; 2], vertex: impl Fn(usize, usize) -> Vertex) {
         self.vertices = (0..=nv).flat_map(|j| (0..=nu).map(move |i| (i, j))).map(|(i, j)| vertex(i, j)).collect();
         let cells = (0..nv).flat_map(|j| (0..nu).map(move |i| (j * (nu + 1) + i) as u32));
         let up = nu as u32 + 1;
@@ -257,7 +260,7 @@ impl Stage {
 
     /// A torus of 100,000 triangles before the viewer.
     pub fn torus(&mut self, arrays: Arrays) {
-        let (nu, nv) = (250, 200);
+        let [nu, nv] = [250, 200].map(|cells| cells / self.coarser);
         self.lattice([nu, nv], |i, j| {
             let (u, w) = (360.0 * DEGREE * i as f64 / nu as f64, 360.0 * DEGREE * j as f64 / nv as f64);
             let n = [cos(w) * cos(u), cos(w) * sin(u), sin(w)];
