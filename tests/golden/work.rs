@@ -5,7 +5,7 @@
 use super::bench::stage::{Arrays, Stage, Tex};
 use fixedgl::Context;
 use fixedgl::enums::*;
-use fixedgl::num::{cos, sin};
+use fixedgl::math::{cos, sin};
 
 /// A piece of work: its name and what draws it into a fresh stage.
 pub type Work = (&'static str, fn(&mut Stage));
