@@ -3,10 +3,10 @@
 //! after the other. A pixel lies in one band, so it sees the same fragments in the same order in either case, and since a
 //! fragment depends on nothing but its primitive and its position, the result is the same to the last bit.
 
+use super::draw::Draw;
 use super::emit::{Emitter, FragmentSink};
 use super::geometry::{Coverage, Prim, SceneGeometry};
 use super::program_trait::FragmentProgram;
-use super::scene::Draw;
 use super::worker_pool::{PAYS, WorkerPool};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};

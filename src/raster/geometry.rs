@@ -1,16 +1,15 @@
 //! What a scene keeps of its primitives, in issue order: each one's shape, its planes, and in side lists what the larger
 //! shapes need. A small triangle is 64 covered-or-not bits in place; everything larger is an index into its list.
 
-use super::setup::aa_coverage::Outline;
-use super::setup::coverage::Edges;
-use super::setup::line::AliasedLine;
+use super::coverage::disc::Disc;
+use super::coverage::edges::Edges;
+use super::coverage::line::AliasedLine;
+use super::coverage::outline::Outline;
 use super::setup::plane_buffer::PlaneBuffer;
-use super::setup::planes::SetupPlan;
-use super::setup::point::Disc;
 use super::state::Rect;
 use super::triangle_batch::TriangleBatch;
 use super::triangle_batch::rows::RowCoverage;
-use crate::fragment::planes::{Linear, Planes};
+use crate::fragment::planes::Planes;
 
 /// Which pixels a primitive covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,20 +154,4 @@ impl SceneGeometry {
             Coverage::Outline(i) => self.outlines.get(i as usize).map_or(0..0, |o| of(&o.rect)),
         }
     }
-}
-
-/// What all setup functions need to know of the draw.
-#[derive(Clone, Copy, Debug)]
-pub struct SetupContext<'a> {
-    /// State of the rasteriser.
-    pub rs: &'a super::RasterState,
-    /// What to interpolate.
-    pub plan: &'a SetupPlan,
-    /// Index of the draw.
-    pub draw: u32,
-}
-
-/// A depth function without infinities.
-pub(super) fn finite(z: Linear) -> Linear {
-    if (z.at + z.x + z.y).is_finite() { z } else { Linear::default() }
 }

@@ -3,6 +3,8 @@
 //! walk over a band of rows appends row runs to batches of 64 fragments, which the draw's fragment program works on.
 
 mod binning;
+mod coverage;
+mod draw;
 mod emit;
 mod geometry;
 mod program_trait;
@@ -17,18 +19,11 @@ mod triangle_batch;
 pub mod vertex;
 mod worker_pool;
 
+pub use draw::{Draw, PrimitiveBuilder};
 pub use program_trait::FragmentProgram;
 pub use raster_thread::SetupFn;
-pub use scene::{Draw, PrimitiveBuilder, Scene};
+pub use scene::Scene;
 pub use scheduler::SplitDraw;
 pub use state::RasterState;
 pub use triangle_batch::corners::CornerLanes;
-
-/// A processed vertex as setup reads it.
-#[derive(Clone, Copy, Debug)]
-pub struct VertexRef<'a> {
-    /// The position part.
-    pub head: &'a vertex::Vertex,
-    /// The values of its slots, at least the layout's stride of them.
-    pub slots: &'a [f32],
-}
+pub use vertex::VertexRef;

@@ -7,10 +7,10 @@
 //! first.
 
 use super::binning::{self, RasterPass};
+use super::draw::{Draw, PrimitiveBuilder};
 use super::emit::Emitter;
 use super::geometry::SceneGeometry;
 use super::program_trait::FragmentProgram;
-use super::scene::{Draw, PrimitiveBuilder};
 use super::setup::planes::SetupPlan;
 use super::worker_pool::WorkerPool;
 use crate::framebuffer::Framebuffer;
@@ -190,8 +190,8 @@ impl<P> Drop for RasterThread<P> {
 
 #[cfg(test)]
 mod tests {
-    use crate::raster::VertexRef;
     use crate::raster::testing::{Random, TestCanvas, vertex};
+    use crate::raster::vertex::VertexRef;
     use std::panic::{AssertUnwindSafe, catch_unwind};
 
     /// Small triangles all over a canvas; after each of them something may be done.

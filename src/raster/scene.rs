@@ -3,34 +3,21 @@
 //! work of many small draws can be shared out to bands of rows and their workers.
 
 use super::binning::{self, RasterPass};
+use super::draw::{Draw, PrimitiveBuilder};
 use super::emit::Emitter;
-use super::geometry::{SceneGeometry, SetupContext};
+use super::geometry::SceneGeometry;
 use super::program_trait::FragmentProgram;
 use super::raster_thread::{FramebufferLease, GeometryPool, RasterJob, RasterOptions, RasterThread, SetupFn};
 use super::scheduler::{BinnedGeometry, SplitDraw, SplitDrawRun};
-use super::setup::line::LineInput;
 use super::setup::planes::SetupPlan;
-use super::setup::point::PointInput;
-use super::setup::triangle::TriangleInput;
 use super::state::Mode;
-use super::triangle_batch::corners::CornerLanes;
-use super::vertex::Vertices;
+use super::vertex::VertexRef;
 use super::worker_pool::WorkerPool;
-use super::{RasterState, VertexRef};
 use crate::framebuffer::Framebuffer;
 use crate::simd::{LANES, Level};
 use std::mem::take;
 use std::panic::resume_unwind;
 use std::sync::{Arc, RwLock};
-
-/// One state of the machine as the back end sees it.
-#[derive(Debug)]
-pub struct Draw<P> {
-    /// What happens to fragments.
-    pub program: Arc<P>,
-    /// How primitives become fragments.
-    pub raster: RasterState,
-}
 
 /// Bytes after which a scene wants to be flushed where one thread works on it: about what the second-level cache holds.
 const SMALL: usize = 256 << 10;
@@ -61,105 +48,6 @@ pub struct Scene<P> {
     free: GeometryPool,
     wants_setup_work: bool,
     has_large_primitives: bool,
-}
-
-/// What the primitives of a draw are set up with, and where they are kept.
-#[derive(Debug)]
-pub struct PrimitiveBuilder<'a, P> {
-    draw: &'a Draw<P>,
-    cx: SetupContext<'a>,
-    geometry: &'a mut SceneGeometry,
-    stipple: &'a mut u32,
-}
-
-impl<'a, P> PrimitiveBuilder<'a, P> {
-    /// For the draw that has an index.
-    #[inline]
-    pub(super) fn new(
-        draw: &'a Draw<P>,
-        index: u32,
-        plan: &'a SetupPlan,
-        geometry: &'a mut SceneGeometry,
-        stipple: &'a mut u32,
-    ) -> Self {
-        Self { draw, cx: SetupContext { rs: &draw.raster, plan, draw: index }, geometry, stipple }
-    }
-
-    /// The draw.
-    #[must_use]
-    pub fn draw(&self) -> &Draw<P> {
-        self.draw
-    }
-
-    /// Files the small triangles that wait.
-    pub(super) fn flush_batch(&mut self) {
-        self.geometry.flush_batch(&self.cx);
-    }
-
-    /// Draws a triangle: three vertices in the order in which they were issued, which of them is the provoking vertex, and
-    /// whether the edge from each vertex to the next is a boundary edge of its polygon. Vertices must not need clipping.
-    #[inline]
-    pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
-        // Corner by corner: an index into the array would have it written and read again at once.
-        let [a, b, c] = v;
-        let provoking = match provoking {
-            0 => a.slots,
-            1 => b.slots,
-            _ => c.slots,
-        };
-        self.geometry.triangle(&self.cx, &TriangleInput { v: [a, b, c], provoking, edges }, self.stipple);
-    }
-
-    /// Whether [`Self::triangles`] and [`Self::group`] may be called with vertices of so many slots.
-    #[must_use]
-    pub fn takes_many(&self, stride: usize) -> bool {
-        SceneGeometry::takes_many(&self.cx, stride)
-    }
-
-    /// Draws triangles whose corners are some of many vertices; none must need clipping.
-    pub fn triangles(&mut self, vertices: &Vertices, triangles: &[[u32; 3]]) {
-        self.geometry.wait_all(&self.cx, vertices, triangles);
-    }
-
-    /// Draws so many triangles, at most a group of them, whose corners `fill` puts in place; none must need clipping.
-    pub fn group(&mut self, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
-        self.geometry.file_corners(&self.cx, count, fill);
-    }
-
-    /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a
-    /// strip or loop, and at each line of `GL_LINES`.
-    pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
-        self.flush_batch();
-        if restart {
-            *self.stipple = 0;
-        }
-        let provoking = slots(&v, provoking);
-        self.geometry.line(&self.cx, &LineInput { v, provoking, back: false, offset: 0.0 }, self.stipple);
-    }
-
-    /// Draws a point of the vertex's point size.
-    pub fn point(&mut self, v: VertexRef<'_>) {
-        self.flush_batch();
-        self.geometry.point(&self.cx, &PointInput { v, provoking: v.slots, back: false, offset: 0.0 });
-    }
-}
-
-impl<P: FragmentProgram> Draw<P> {
-    /// Whether triangles are culled, or come to nothing, whose area in the window is positive (counter-clockwise), or is
-    /// not.
-    #[must_use]
-    pub fn culls(&self) -> [bool; 2] {
-        let rs = &self.raster;
-        let nothing = self.program.draws_nothing();
-        let faces = if rs.ccw_is_front { [rs.cull[0], rs.cull[1]] } else { [rs.cull[1], rs.cull[0]] };
-        // An area of zero is a back face (section 2.14.1), whichever way is the front.
-        [nothing || faces[0], nothing || (faces[1] && rs.cull[1])]
-    }
-}
-
-/// The slots of a vertex.
-fn slots<'a>(v: &[VertexRef<'a>], i: usize) -> &'a [f32] {
-    v.get(i).map_or(&[], |v| v.slots)
 }
 
 impl<P: FragmentProgram> Scene<P> {

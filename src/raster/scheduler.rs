@@ -6,10 +6,10 @@
 //! cache.
 
 use super::binning::{self, RasterPass};
+use super::draw::{Draw, PrimitiveBuilder};
 use super::emit::Emitter;
 use super::geometry::SceneGeometry;
 use super::program_trait::FragmentProgram;
-use super::scene::{Draw, PrimitiveBuilder};
 use super::setup::planes::SetupPlan;
 use super::worker_pool::WorkerPool;
 use crate::framebuffer::{Band, Framebuffer};

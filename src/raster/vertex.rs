@@ -20,6 +20,15 @@ pub struct Vertex {
     pub point_size: f32,
 }
 
+/// A processed vertex as setup reads it.
+#[derive(Clone, Copy, Debug)]
+pub struct VertexRef<'a> {
+    /// The position part.
+    pub head: &'a Vertex,
+    /// The values of its slots, at least the layout's stride of them.
+    pub slots: &'a [f32],
+}
+
 /// Where a vertex is, as far as that decides over primitives, in one word: the outcode in the low 16 bits, then window x and
 /// y in 1/256 pixel with 24 bits each, which is enough for positions within the guard band; others mean nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

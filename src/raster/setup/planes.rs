@@ -4,55 +4,16 @@
 //! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
 //! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
+use super::basis::{Basis, CornerValues, constant};
 use super::plane_buffer::PlaneBuffer;
+use super::texcoord_planes::{denominator_error, unit_planes};
 use super::weights::{FOUR, FourPlanes, FourPlanesFn, Weights};
-use crate::fragment::planes::{Layout, Linear, Plane, PlaneGroup, Planes, UnitSlots};
+use crate::fragment::planes::{Layout, Plane, PlaneGroup, Planes, UnitSlots};
 use crate::raster::state::{Mode, RasterState};
 use crate::raster::triangle_batch::TriangleBatch;
 use crate::raster::triangle_batch::corners::MOST_SLOTS;
 use crate::raster::triangle_batch::planes::{BatchState, GroupFn, SET_UP_GROUP, SlotRules, TURN_GROUP, TurnFn};
 use crate::simd::Level;
-
-/// How a position relative to the origin becomes weights of the corners.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Basis {
-    /// Weights of corners 1 and 2.
-    pub b: [Linear; 2],
-    /// The corners, in pixels from the centre of the origin pixel.
-    pub corner: [[f64; 2]; 3],
-}
-
-impl Basis {
-    /// The basis of a triangle; `det` is twice its area and not 0.
-    #[inline]
-    #[must_use]
-    pub fn triangle(corner: [[f64; 2]; 3], det: f64) -> Self {
-        let [[x0, y0], [x1, y1], [x2, y2]] = corner;
-        let inv = 1.0 / det;
-        let (ax, ay) = ((y2 - y0) * inv, (x0 - x2) * inv);
-        let (bx, by) = ((y0 - y1) * inv, (x1 - x0) * inv);
-        let line = |x: f64, y: f64| Linear { at: -(x0 * x + y0 * y), x, y };
-        Self { b: [line(ax, ay), line(bx, by)], corner }
-    }
-
-    /// The basis of a line from a to b: the weight of b grows along the line and is constant across it.
-    #[must_use]
-    pub fn line(a: [f64; 2], b: [f64; 2]) -> Self {
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let square = dx * dx + dy * dy;
-        let (x, y) = if square > 0.0 { (dx / square, dy / square) } else { (0.0, 0.0) };
-        Self { b: [Linear { at: -(a[0] * x + a[1] * y), x, y }, Linear::default()], corner: [a, b, b] }
-    }
-
-    /// The linear function that has these values at the corners.
-    #[inline]
-    #[must_use]
-    pub fn linear(&self, f: [f64; 3]) -> Linear {
-        let (g1, g2) = (f[1] - f[0], f[2] - f[0]);
-        let [b1, b2] = &self.b;
-        Linear { at: f[0] + (g1 * b1.at + g2 * b2.at), x: g1 * b1.x + g2 * b2.x, y: g1 * b1.y + g2 * b2.y }
-    }
-}
 
 /// The layout of a draw, prepared for setup.
 #[derive(Clone, Debug)]
@@ -66,19 +27,6 @@ pub struct SetupPlan {
     units: Vec<(u32, UnitSlots)>,
     rules: SlotRules,
     grouped: bool,
-}
-
-/// The values at the corners of a primitive.
-#[derive(Clone, Copy, Debug)]
-pub struct CornerValues<'a> {
-    /// Slots of each corner.
-    pub corner: [&'a [f32]; 3],
-    /// Slots of the provoking vertex.
-    pub provoking: &'a [f32],
-    /// Whether the back-face colours are taken.
-    pub back: bool,
-    /// w of each corner.
-    pub w: [f64; 3],
 }
 
 /// Puts constants in the place of planes that are not finite.
@@ -95,11 +43,6 @@ fn replace_non_finite(planes: &mut [Plane], values: &[f32]) {
 #[inline(always)]
 fn four_of(slots: &[f32], at: usize) -> Option<&[f32; 4]> {
     slots.get(at..)?.first_chunk()
-}
-
-/// The plane of a value that is the same everywhere.
-pub(crate) const fn constant(c: f32) -> Plane {
-    Plane { c, min: c, max: c, n0: 0.0, nx: 0.0, ny: 0.0 }
 }
 
 impl SetupPlan {
@@ -197,14 +140,12 @@ impl SetupPlan {
         self.span(&weights, values.corner, 0, four, out);
         self.colors(&weights, values, four, out);
         let d = weights.d;
-        if weights.bound(d.at, d.x, d.y) > 2048.0 * weights.far
-            && super::texcoord_planes::denominator_error(basis, &d, weights.r) > 2048.0
-        {
+        if weights.bound(d.at, d.x, d.y) > 2048.0 * weights.far && denominator_error(basis, &d, weights.r) > 2048.0 {
             planes.wide |= Planes::WIDE_W;
         }
         for (unit, slots) in &self.units {
             let wide_w = planes.wide & Planes::WIDE_W != 0;
-            if self.unit(basis, &weights, slots, values, wide_w, out) {
+            if unit_planes(basis, &weights, slots, values, wide_w, out) {
                 planes.wide |= 1 << unit;
             }
         }

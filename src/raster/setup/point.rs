@@ -2,12 +2,14 @@
 //! values are those of the vertex, so their planes have no slope. A point is drawn or not by its centre; its square may
 //! reach beyond the viewport.
 
-use super::planes::{Basis, CornerValues};
-use super::triangle::within_limit;
+use super::SetupContext;
+use super::basis::{Basis, CornerValues};
+use super::position::within_limit;
 use crate::fragment::planes::{Linear, Planes};
-use crate::raster::VertexRef;
-use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, index};
+use crate::raster::coverage::disc::Disc;
+use crate::raster::geometry::{Coverage, SceneGeometry, index};
 use crate::raster::state::{Rect, limited_point};
+use crate::raster::vertex::VertexRef;
 
 /// A point on its way to being filed.
 #[derive(Clone, Copy)]
@@ -18,52 +20,6 @@ pub(crate) struct PointInput<'a> {
     pub back: bool,
     /// What is added to the depth, in units of the depth buffer.
     pub offset: f64,
-}
-
-/// A smooth point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disc {
-    /// Pixels that may be touched.
-    pub rect: Rect,
-    /// The pixel that the centre is relative to.
-    pub origin: [i32; 2],
-    /// The centre, in pixels from the lower left corner of the origin pixel.
-    pub center: [f64; 2],
-    /// Radius in pixels.
-    pub radius: f64,
-}
-
-impl Disc {
-    /// How much of a pixel the disc covers: the mean, over 16 lines through the pixel, of the part of the line that is in
-    /// the disc. Off by 2^-9 at most.
-    #[must_use]
-    pub fn coverage(&self, x: i32, y: i32) -> f32 {
-        let left = f64::from(x - self.origin[0]) - self.center[0];
-        let low = f64::from(y - self.origin[1]) - self.center[1];
-        let far = |a: f64| if a + 0.5 > 0.0 { a + 1.0 } else { -a };
-        let near = |a: f64| a.max(-1.0 - a).max(0.0);
-        let length = |[x, y]: [f64; 2]| x * x + y * y;
-        let square = self.radius * self.radius;
-        if length([left, low].map(far)) <= square {
-            return 1.0;
-        }
-        // More than rounding can be wrong by.
-        if length([left, low].map(near)) > square * (1.0 + 1e-9) {
-            return 0.0;
-        }
-        // Line after line, all the same way: two and more are computed at once.
-        let mut parts = [0.0; 16];
-        for (line, part) in (0i32..).zip(&mut parts) {
-            let dy = low + (f64::from(line) + 0.5) * (1.0 / 16.0);
-            let rest = square - dy * dy;
-            let half = rest.max(0.0).sqrt();
-            let (end, start) =
-                (if left + 1.0 < half { left + 1.0 } else { half }, if left > -half { left } else { -half });
-            *part = if end > start { end - start } else { 0.0 };
-        }
-        let sum = parts.iter().fold(0.0, |sum, part| sum + part);
-        (sum * (1.0 / 16.0)) as f32
-    }
 }
 
 /// The pixels of an aliased point: a square of `size` pixels around the pixel of the centre (odd sizes) or around the
@@ -141,22 +97,6 @@ mod tests {
                     assert_eq!(hits[(y * 32 + x) as usize] == 1, near(0, x) && near(1, y), "{at:?} {size} {x} {y}");
                 }
             }
-        }
-    }
-
-    #[test]
-    fn smooth_points_cover_the_area_of_their_disc() {
-        let mut random = Random(22);
-        for _ in 0..100 {
-            let size = random.between(1.0, 20.0) as f32;
-            let mut canvas = TestCanvas::new(64, 1, 1, 64, |state| state.point.smooth = true);
-            let at = [random.between(20.0, 40.0), random.between(20.0, 40.0)];
-            canvas.point(at, size);
-            let seen = canvas.seen();
-            let sum: f64 = seen.iter().map(|s| f64::from(s.coverage)).sum();
-            let area = std::f64::consts::PI * f64::from(size) * f64::from(size) / 4.0;
-            assert!((sum / area - 1.0).abs() < 0.02, "{size}: {sum} {area}");
-            assert!(seen.iter().all(|s| s.coverage > 0.0 && s.coverage <= 1.0));
         }
     }
 

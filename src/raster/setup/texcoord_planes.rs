@@ -1,55 +1,52 @@
 //! Texture coordinates of a primitive (OpenGL 1.5, sections 3.5.1 and 3.8.8): q in place of w, whole periods taken off,
 //! and the question whether f32 is enough to evaluate them.
 
-use super::planes::{Basis, CornerValues, SetupPlan, constant};
+use super::basis::{Basis, CornerValues, constant};
 use super::weights::Weights;
 use crate::fragment::planes::{Linear, Plane, UnitSlots};
 use crate::num::round_f64;
 
-impl SetupPlan {
-    /// Coordinates of a unit: q, periods, and whether f64 is needed, as it is for all units without q where `wide_w` says
-    /// so of w.
-    #[inline]
-    pub(crate) fn unit(
-        &self,
-        basis: &Basis,
-        weights: &Weights,
-        slots: &UnitSlots,
-        values: &CornerValues,
-        wide_w: bool,
-        out: &mut [Plane],
-    ) -> bool {
-        let UnitSlots { base, count, has_q, period, size, cube } = *slots;
-        let Some(out) = out.get_mut(base..base + count + usize::from(has_q)) else { return false };
-        let d = weights.d;
-        if has_q {
-            if corners_q(slots, values) != [1.0; 3] {
-                return projective_unit(basis, weights, slots, values, out);
-            }
-            // Where q is 1 the planes are those of a unit without q, to the last bit.
-            if let Some(plane) = out.get_mut(count) {
-                *plane = Plane { c: 0.0, min: f32::MIN, max: f32::MAX, n0: d.at, nx: d.x, ny: d.y };
-            }
+/// Coordinates of a unit: q, periods, and whether f64 is needed, as it is for all units without q where `wide_w` says
+/// so of w.
+#[inline]
+pub(super) fn unit_planes(
+    basis: &Basis,
+    weights: &Weights,
+    slots: &UnitSlots,
+    values: &CornerValues,
+    wide_w: bool,
+    out: &mut [Plane],
+) -> bool {
+    let UnitSlots { base, count, has_q, period, size, cube } = *slots;
+    let Some(out) = out.get_mut(base..base + count + usize::from(has_q)) else { return false };
+    let d = weights.d;
+    if has_q {
+        if corners_q(slots, values) != [1.0; 3] {
+            return projective_unit(basis, weights, slots, values, out);
         }
-        let denominator = if weights.affine { 0.0 } else { weights.bound(d.at, d.x, d.y) };
-        let (mut error, mut greatest) = (0.0f64, if cube { 0.0f64 } else { 1.0 });
-        for (plane, size) in out.iter().take(count).zip(size) {
-            let spread = f64::from(plane.max) - f64::from(plane.min);
-            let terms = weights.bound(plane.n0, plane.nx, plane.ny) + denominator * spread;
-            let terms = terms * f64::from(size);
-            error = if terms > error { terms } else { error };
-            if cube {
-                greatest = greatest.max(f64::from(plane.max).abs()).max(f64::from(plane.min).abs());
-            }
+        // Where q is 1 the planes are those of a unit without q, to the last bit.
+        if let Some(plane) = out.get_mut(count) {
+            *plane = Plane { c: 0.0, min: f32::MIN, max: f32::MAX, n0: d.at, nx: d.x, ny: d.y };
         }
-        // Most primitives are far from the limit, which a bound without divisions shows.
-        let narrow = error <= LIMIT * weights.far * greatest;
-        let wide = wide_w || (!narrow && wide(basis, slots, &d, weights.r, weights.affine, out));
-        for (plane, period) in out.iter_mut().zip(period).take(count) {
-            take_period_off(plane, period);
-        }
-        wide
     }
+    let denominator = if weights.affine { 0.0 } else { weights.bound(d.at, d.x, d.y) };
+    let (mut error, mut greatest) = (0.0f64, if cube { 0.0f64 } else { 1.0 });
+    for (plane, size) in out.iter().take(count).zip(size) {
+        let spread = f64::from(plane.max) - f64::from(plane.min);
+        let terms = weights.bound(plane.n0, plane.nx, plane.ny) + denominator * spread;
+        let terms = terms * f64::from(size);
+        error = if terms > error { terms } else { error };
+        if cube {
+            greatest = greatest.max(f64::from(plane.max).abs()).max(f64::from(plane.min).abs());
+        }
+    }
+    // Most primitives are far from the limit, which a bound without divisions shows.
+    let narrow = error <= LIMIT * weights.far * greatest;
+    let wide = wide_w || (!narrow && wide(basis, slots, &d, weights.r, weights.affine, out));
+    for (plane, period) in out.iter_mut().zip(period).take(count) {
+        take_period_off(plane, period);
+    }
+    wide
 }
 
 /// An f32 evaluation is off by about 2^-23 of the terms it adds, in texels; 2^-11 texel is what may be lost.

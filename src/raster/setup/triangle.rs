@@ -2,34 +2,16 @@
 //! and offset, and the planes. What draws nothing is found out as early as possible: culled triangles before anything
 //! else is computed, small ones that contain no pixel centre before their planes are made.
 
-use super::coverage::{Edges, bounds};
+use super::SetupContext;
+use super::basis::{Basis, CornerValues};
 use super::line::LineInput;
-use super::planes::{Basis, CornerValues};
 use super::point::PointInput;
+use super::position::{finite, relative, relative_snapped, within_limit};
 use crate::fragment::planes::{Linear, Planes};
-use crate::raster::VertexRef;
-use crate::raster::geometry::{Coverage, SceneGeometry, SetupContext, finite, index};
+use crate::raster::coverage::edges::{Edges, bounds};
+use crate::raster::geometry::{Coverage, SceneGeometry, index};
 use crate::raster::state::{Mode, Rect};
-use crate::raster::vertex::{Vertex, twice_area};
-
-/// Positions of vertices that can be rasterised are below this, in 1/256 pixel: the guard band and some room.
-pub(crate) const LIMIT: i32 = 1 << 23;
-
-/// Whether all positions are within the limit.
-#[inline]
-pub(crate) fn within_limit(points: &[[i32; 2]]) -> bool {
-    points.iter().flatten().fold(0u32, |all, v| all | (v.wrapping_add(LIMIT) as u32)) < (2 * LIMIT) as u32
-}
-
-/// A position in 1/256 pixel as pixels from the centre of the origin pixel; exact.
-pub(crate) fn relative_snapped(p: [i32; 2], origin: [i32; 2]) -> [f64; 2] {
-    [0, 1].map(|k: usize| f64::from(p[k] - (origin[k] << 8) - 128) * (1.0 / 256.0))
-}
-
-/// An unsnapped position as pixels from the centre of the origin pixel.
-pub(crate) fn relative(p: [f64; 3], origin: [i32; 2]) -> [f64; 2] {
-    [p[0] - (f64::from(origin[0]) + 0.5), p[1] - (f64::from(origin[1]) + 0.5)]
-}
+use crate::raster::vertex::{Vertex, VertexRef, twice_area};
 
 /// A triangle on its way to being filed.
 pub(crate) struct TriangleInput<'a> {
@@ -225,8 +207,8 @@ pub(crate) fn clip_mask(cx: &SetupContext, bounds: Rect, rect: Rect) -> u64 {
 #[cfg(test)]
 mod tests {
     use crate::enums::*;
-    use crate::raster::VertexRef;
     use crate::raster::testing::{Random, TestCanvas, vertex};
+    use crate::raster::vertex::VertexRef;
     use crate::state::State;
 
     const CCW: [[f64; 2]; 3] = [[2.0, 2.0], [30.0, 3.0], [4.0, 28.0]];

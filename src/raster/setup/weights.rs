@@ -2,7 +2,7 @@
 //! loop over slots is a stage, compiled for each level; it works on differences from corner 0, in written order, so all
 //! levels give the same bits.
 
-use super::planes::Basis;
+use super::basis::Basis;
 use crate::fragment::planes::{Linear, Plane};
 use crate::simd::stage;
 

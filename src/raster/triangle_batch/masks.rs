@@ -8,10 +8,8 @@
 //!
 //! [`polygon`]: crate::raster::setup::coverage
 
+use super::lanes::I32x16;
 use crate::fragment::planes::GROUP;
-
-/// One integer for each triangle of a group.
-pub(crate) type I32x16 = [i32; GROUP];
 
 const ONES: u64 = 0x0001_0001_0001_0001;
 const COUNT: u64 = 0x0003_0002_0001_0000;

@@ -5,42 +5,17 @@
 //! [`setup`]: crate::raster::setup::triangle
 //! [`weights`]: crate::raster::setup::weights
 
+use super::TriangleBatch;
 use super::corners::CornerLanes;
+use super::lanes::{ALONE, BLOCK, BasisLanes, F64x16, LINEAR_LANES, LinearLanes, MASK, NOTHING, ZERO};
 use super::masks::masks;
 use super::rows::{ROWS, rows};
 use crate::fragment::planes::{GROUP, Layout, PlaneGroup};
+use crate::raster::setup::position::LIMIT as LIMIT_OF_POSITIONS;
 use crate::raster::setup::texcoord_planes::{LIMIT, whole_periods};
-use crate::raster::setup::triangle::LIMIT as LIMIT_OF_POSITIONS;
 use crate::raster::setup::weights::range;
 use crate::raster::state::Rect;
-use crate::raster::triangle_batch::TriangleBatch;
 use crate::simd::stage;
-
-/// One number for each triangle.
-pub(crate) type F64x16 = [f64; GROUP];
-const ZERO: F64x16 = [0.0; GROUP];
-
-/// A linear function for each triangle.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct LinearLanes {
-    pub at: F64x16,
-    pub x: F64x16,
-    pub y: F64x16,
-}
-
-const LINEAR_LANES: LinearLanes = LinearLanes { at: ZERO, x: ZERO, y: ZERO };
-
-/// What interpolation needs of the triangles themselves; see [`Weights`](crate::raster::setup::weights::Weights).
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct BasisLanes {
-    pub d: LinearLanes,
-    b: [LinearLanes; 2],
-    far: F64x16,
-    scale: F64x16,
-    reach: [F64x16; 2],
-    /// The greatest sum of terms of D; 0 where D is 1.
-    denominator: F64x16,
-}
 
 /// What is to be computed of the state.
 #[derive(Clone, Debug, Default)]
@@ -87,12 +62,6 @@ pub(crate) struct BatchState {
     pub offset: Option<[f64; 2]>,
 }
 
-/// What becomes of a triangle: it covers nothing, is a member of the group with a mask, or with rows since it is too large
-/// for a mask, or must be set up alone since it is larger still.
-pub(crate) const NOTHING: i32 = 0;
-pub(crate) const MASK: i32 = 1;
-pub(crate) const BLOCK: i32 = 2;
-pub(crate) const ALONE: i32 = 3;
 /// The largest bounding box of a member: its runs of pixels are too short to be worth more than lanes of a batch.
 const MOST: i32 = ROWS as i32;
 
@@ -130,7 +99,7 @@ fn slot_lanes(quads: &[[[f32; 4]; GROUP]; 3], out: &mut [[[f32; GROUP]; 3]; 4]) 
 /// Turns the corners of so many slots into lanes.
 pub(crate) type TurnFn = unsafe fn(&mut TriangleBatch, usize);
 
-/// Sets up a group: masks, and planes in one position a slot.
+/// Sets up a group: masks, and planes in one place a slot.
 pub(crate) type GroupFn = unsafe fn(&mut TriangleBatch, &SlotRules, &BatchState, &mut [PlaneGroup]);
 
 /// What the members of a group are like.

@@ -5,7 +5,8 @@
 //!
 //! [`polygon`]: crate::raster::setup::coverage
 
-use super::masks::{I32x16, edge_function, turns};
+use super::lanes::I32x16;
+use super::masks::{edge_function, turns};
 use crate::fragment::planes::GROUP;
 use crate::num::MAGIC_F64;
 use crate::raster::state::Rect;

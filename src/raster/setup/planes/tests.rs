@@ -1,6 +1,7 @@
 //! Tests of planes: against the definition, and values that are no numbers.
 
 use super::*;
+use crate::fragment::planes::Linear;
 use crate::raster::testing::{Random, TestCanvas, value, vertex};
 use crate::raster::vertex::Vertex;
 
