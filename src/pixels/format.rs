@@ -78,7 +78,7 @@ impl Format {
     }
 
     /// GL's name.
-    #[must_use]
+    #[cfg(test)]
     pub fn name(self) -> GLenum {
         self.row().0
     }
@@ -200,8 +200,6 @@ impl Type {
 /// Which command the pixels are for: they do not all take every format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// DrawPixels (section 3.6.4).
-    DrawPixels,
     /// ReadPixels (section 4.3.2).
     ReadPixels,
     /// TexImage and TexSubImage (section 3.8.1).

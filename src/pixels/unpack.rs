@@ -107,6 +107,7 @@ impl<'a> ClientImage<'a> {
     }
 
     /// The stencil indices from group `at` on, after transfer; the caller cuts them to the bits of its buffer.
+    #[cfg(test)]
     pub fn stencils(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) {
         let mut raw = [0.0; CHUNK];
         for (n, part) in out.chunks_mut(CHUNK).enumerate() {

@@ -92,27 +92,9 @@ impl PixelMaps {
         Ok(())
     }
 
-    /// PixelMapuiv, and PixelMapusv with `max` 65535: entries of a colour map are divided by `max`.
-    pub fn set_unsigned(&mut self, map: GLenum, max: u32, values: impl ExactSizeIterator<Item = u32>) -> Outcome {
-        let slot = Self::slot(map)?;
-        let scale = if Self::yields_indices(slot) { 1.0 } else { f64::from(max.max(1)) };
-        let values: Vec<f32> = values.take(MAX_PIXEL_MAP_TABLE + 1).map(|v| (f64::from(v) / scale) as f32).collect();
-        self.set(map, &values)
-    }
-
     /// The entries of a map, for GetPixelMapfv.
     pub fn get(&self, map: GLenum) -> Outcome<&[f32]> {
         Ok(self.table(Self::slot(map)?))
-    }
-
-    /// The entries of a map as unsigned integers, for GetPixelMapuiv and (with `max` 65535) GetPixelMapusv.
-    pub fn get_unsigned(&self, map: GLenum, max: u32) -> Outcome<impl Iterator<Item = u32>> {
-        let slot = Self::slot(map)?;
-        let scale = if Self::yields_indices(slot) { 1.0 } else { f64::from(max) };
-        Ok(self
-            .table(slot)
-            .iter()
-            .map(move |&v| (f64::from(v) * scale + 0.5).floor().clamp(0.0, f64::from(max)) as u32))
     }
 
     /// How many entries the map has whose `GL_PIXEL_MAP_*_SIZE` is `pname`; `None` for any other name.
@@ -131,11 +113,5 @@ mod tests {
         let mut maps = PixelMaps::default();
         maps.set(GL_PIXEL_MAP_A_TO_A, &[-1.0, 0.5, 7.0, f32::NAN]).unwrap();
         assert_eq!(maps.color_to_color[3], [0.0, 0.5, 1.0, 0.0]);
-        maps.set_unsigned(GL_PIXEL_MAP_I_TO_G, 65535, [0, 65535].into_iter()).unwrap();
-        assert_eq!(maps.index_to_color[1], [0.0, 1.0]);
-        maps.set_unsigned(GL_PIXEL_MAP_S_TO_S, 65535, [3, 9].into_iter()).unwrap();
-        assert_eq!(maps.stencil_to_stencil, [3.0, 9.0]);
-        assert_eq!(maps.get_unsigned(GL_PIXEL_MAP_S_TO_S, u32::MAX).unwrap().collect::<Vec<_>>(), [3, 9]);
-        assert_eq!(maps.get_unsigned(GL_PIXEL_MAP_I_TO_G, u32::MAX).unwrap().collect::<Vec<_>>(), [0, u32::MAX]);
     }
 }

@@ -106,12 +106,6 @@ impl Texels {
             Texels::Depth(t) => t.len(),
         }
     }
-
-    /// Whether there is no texel.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
 }
 
 /// A buffer of a size that a program chose: OUT_OF_MEMORY instead of an abort.
@@ -261,7 +255,7 @@ impl Image {
     }
 
     /// Texel (i, j, k) as a sampler reads it; a depth gives (d, d, d, 1). Zero outside the ring.
-    #[must_use]
+    #[cfg(test)]
     pub fn texel(&self, i: i32, j: i32, k: i32) -> [f32; 4] {
         let inside = |v: i32, n: u32, has: bool| if has { v >= -1 && i64::from(v) <= i64::from(n) } else { v == 0 };
         if !inside(i, self.width, true)

@@ -56,7 +56,7 @@ impl PaddingKey {
     }
 
     /// The pads of s, t and r.
-    #[must_use]
+    #[cfg(test)]
     pub fn pads(&self) -> [Padding; 3] {
         self.pads
     }

@@ -147,7 +147,7 @@ impl LodCase {
 
 impl Sampler {
     /// The sampler of a complete texture object whose rings are filled ([`prepare`]), for a unit with this LOD bias.
-    #[must_use]
+    #[cfg(test)]
     pub fn build(level: Level, object: &TextureObject, unit_bias: f32, unit: usize) -> Self {
         Self::build_with(level, object, unit_bias, unit, false)
     }

@@ -59,8 +59,6 @@ pub struct UnitUniforms {
     pub unit: usize,
     /// The images: all levels of the first face from the base level on, then those of the next face.
     pub images: Vec<MipLevel>,
-    /// How many levels a face has here: 1 where the filter uses no mipmaps.
-    pub levels: usize,
     /// How many images further the next face starts: 0 for textures that have no faces.
     pub face_step: usize,
     /// Size of the base level; lambda is measured in its texels.
@@ -137,7 +135,6 @@ impl UnitUniforms {
         Self {
             unit,
             images,
-            levels: last - base + 1,
             face_step: if object.faces.len() > 1 { last - base + 1 } else { 0 },
             size,
             scale: if unnormalised { [1.0; 3] } else { size },

@@ -31,7 +31,6 @@ mod shadow;
 mod texgen;
 mod texture_images;
 mod texture_objects;
-mod texture_sampling;
 mod transform;
 mod vertex_arrays;
 mod vertices;

@@ -1,17 +1,13 @@
 //! Texture coordinates (OpenGL 1.5, sections 3.5.1 and 3.8.7): far out, at texel boundaries, tiny, no numbers at all,
 //! divided by a q that is 0 or negative somewhere.
 
-use crate::common::{any_size, cover, everywhere, floats, read};
+use crate::common::{any_size, cover, everywhere, float_config, floats, read, window_coordinates};
 use crate::oracle::raster::{Triangle, Window};
 use crate::oracle::texel::{Image as OracleImage, Texture, nearest_index, wrapped};
 use crate::row::{Worst, rows};
 use crate::support::Random;
-use fixedgl::Context;
 use fixedgl::enums::*;
-use fixedgl::internals::{
-    Dimensions, Image, InternalFormat, LANES, Level, Sampler, Target, TexBatch, Texels, TextureObject, prepare,
-};
-use std::sync::Arc;
+use fixedgl::{Config, Context, SimdLevel};
 
 rows! {
     random_nearest: "T1", "1,000,000 random coordinates for each of 8 wrap modes, 1e-45 to 3e38, around whole numbers and texel boundaries; NEAREST on 16 x 13 texels",
@@ -48,37 +44,49 @@ pub const MODES: [GLenum; 8] = [
     GL_MIRROR_CLAMP_TO_BORDER_EXT,
 ];
 
-/// A sampler of one level: red and green are the numbers of column and row; the border is (255, 255).
-fn sampler(size: [u32; 2], mode: GLenum, filter: GLenum, level: Level) -> Sampler {
-    let mut object = TextureObject::new(Target::D2);
-    let format = InternalFormat::find(GL_RGBA8).expect("RGBA8");
-    let mut image = Image::new(format, Dimensions::Two, [size[0], size[1], 1], 0).expect("memory");
-    for (i, j) in (0..size[0] * size[1]).map(|k| (k % size[0], k / size[0])) {
-        let at = image.index(i as i32, j as i32, 0);
-        let Texels::Rgba8(texels) = &mut image.texels else { unreachable!("RGBA8 is packed") };
-        texels[at] = u32::from_le_bytes([i as u8, j as u8, 0, 255]);
-    }
-    object.faces[0][0] = Some(Arc::new(image));
-    object.parameters.wrap = [mode; 3];
-    object.parameters.border_color = [1.0; 4];
-    (object.parameters.min_filter, object.parameters.mag_filter) = (filter, filter);
-    prepare(&mut object).expect("memory");
-    Sampler::build(level, &object, 0.0, 0)
+/// A texture of one level: red and green are the numbers of column and row; the border is (255, 255).
+#[derive(Clone, Copy)]
+struct Numbered {
+    size: [u32; 2],
+    mode: GLenum,
+    filter: GLenum,
 }
 
-/// The columns and rows that a sampler reads at these coordinates.
-fn texels(sampler: &Sampler, b: &mut TexBatch, coords: &[[f32; 2]]) -> Vec<[f64; 2]> {
-    let mut all = Vec::with_capacity(coords.len());
-    for part in coords.chunks(LANES) {
-        b.n = LANES;
-        b.mask = [u32::MAX; LANES];
-        for (i, c) in part.iter().enumerate() {
-            (b.coord[0][i], b.coord[1][i]) = (c[0], c[1]);
+impl Numbered {
+    /// The columns and rows that are read at these coordinates. Each is a point of its own, which has the coordinate
+    /// everywhere and no derivatives.
+    fn texels(self, level: SimdLevel, coords: &[[f32; 2]]) -> Vec<[f64; 2]> {
+        const WIDTH: usize = 256;
+        let [width, height] = [WIDTH, coords.len().div_ceil(WIDTH)].map(|side| side as u32);
+        let mut cx = Context::with_config(width, height, Config { level, ..float_config() });
+        window_coordinates(&mut cx, width, height);
+        let [columns, rows] = self.size;
+        let texels: Vec<[u8; 4]> =
+            (0..columns * rows).map(|k| [(k % columns) as u8, (k / columns) as u8, 0, 255]).collect();
+        let [w, h] = self.size.map(|side| side as i32);
+        cx.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA8 as i32, w, h, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.as_flattened());
+        cx.tex_parameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, &[1.0; 4]);
+        filtered(&mut cx, self.mode, self.filter);
+        cx.begin(GL_POINTS);
+        for (i, coord) in coords.iter().enumerate() {
+            cx.tex_coord2fv(coord);
+            cx.vertex2f((i % WIDTH) as f32 + 0.5, (i / WIDTH) as f32 + 0.5);
         }
-        sampler.run(b);
-        all.extend((0..part.len()).map(|i| [0, 1].map(|c: usize| number(b.texel[0][c][i]))));
+        cx.end();
+        read(&mut cx).iter().take(coords.len()).map(|color| [number(color[0]), number(color[1])]).collect()
     }
-    all
+}
+
+/// The wrap mode and filter of the texture, which is to be the colour.
+fn filtered(cx: &mut Context, mode: GLenum, filter: GLenum) {
+    for pname in [GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER] {
+        cx.tex_parameteri(GL_TEXTURE_2D, pname, filter);
+    }
+    for pname in [GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T] {
+        cx.tex_parameteri(GL_TEXTURE_2D, pname, mode);
+    }
+    cx.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    cx.enable(GL_TEXTURE_2D);
 }
 
 /// The number of a column or row that a colour stands for: whole if it is one to the last bits of an f32.
@@ -108,18 +116,17 @@ fn pairs(random: &mut Random, n: usize) -> Vec<[f32; 2]> {
     (0..n).map(|_| [finite(coordinate(random)), finite(coordinate(random))]).collect()
 }
 
-fn levels() -> Vec<Level> {
-    Level::available().collect()
+fn levels() -> Vec<SimdLevel> {
+    SimdLevel::available().collect()
 }
 
 fn random_nearest(w: &mut Worst) {
     let mut random = Random(11);
-    let mut b = TexBatch::new();
     for mode in MODES {
         for (round, level) in levels().into_iter().cycle().take(20).enumerate() {
             let coords = pairs(&mut random, 25_000);
-            let sampler = sampler(SIZE, mode, GL_NEAREST, level);
-            for (c, got) in coords.iter().zip(texels(&sampler, &mut b, &coords)) {
+            let texture = Numbered { size: SIZE, mode, filter: GL_NEAREST };
+            for (c, got) in coords.iter().zip(texture.texels(level, &coords)) {
                 let border = |k: usize| {
                     let i = nearest_index(mode, f64::from(c[k]), i64::from(SIZE[k]));
                     i < 0 || i >= i64::from(SIZE[k])
@@ -148,7 +155,6 @@ fn random_nearest(w: &mut Worst) {
 
 fn random_linear(w: &mut Worst) {
     let mut random = Random(12);
-    let mut b = TexBatch::new();
     for mode in MODES {
         let texel = |i: i64, j: i64| [i as f64 / 255.0, j as f64 / 255.0, 0.0, 1.0];
         let mut oracle = Texture::flat(GL_RGBA, OracleImage::from_fn(16, 13, texel));
@@ -156,8 +162,8 @@ fn random_linear(w: &mut Worst) {
         oracle.border_color = [1.0; 4];
         for (round, level) in levels().into_iter().cycle().take(20).enumerate() {
             let coords = pairs(&mut random, 25_000);
-            let sampler = sampler(SIZE, mode, GL_LINEAR, level);
-            for (c, got) in coords.iter().zip(texels(&sampler, &mut b, &coords)) {
+            let texture = Numbered { size: SIZE, mode, filter: GL_LINEAR };
+            for (c, got) in coords.iter().zip(texture.texels(level, &coords)) {
                 let want = oracle.filter(0, 0, GL_LINEAR, [f64::from(c[0]), f64::from(c[1]), 0.0], 0.0);
                 w.fuzzed += 2;
                 let off = (got[0] - want[0] * 255.0).abs().max((got[1] - want[1] * 255.0).abs());
@@ -218,7 +224,6 @@ fn far_ramps(w: &mut Worst) {
 }
 
 fn tiny_negative(w: &mut Worst) {
-    let mut b = TexBatch::new();
     let mut coords: Vec<[f32; 2]> = [-1e-8f32, -1e-20, -1e-38, -1e-45].iter().map(|v| [*v, *v]).collect();
     for whole in -4096i32..=4096 {
         let v = whole as f32;
@@ -228,8 +233,8 @@ fn tiny_negative(w: &mut Worst) {
     }
     for mode in [GL_REPEAT, GL_MIRRORED_REPEAT] {
         for n in [1u32, 2, 3, 7, 16, 64, 100, 255, 256] {
-            let sampler = sampler([n, n], mode, GL_NEAREST, Level::detect());
-            for (c, got) in coords.iter().zip(texels(&sampler, &mut b, &coords)) {
+            let texture = Numbered { size: [n, n], mode, filter: GL_NEAREST };
+            for (c, got) in coords.iter().zip(texture.texels(SimdLevel::detect(), &coords)) {
                 for k in 0..2 {
                     let exact = nearest_index(mode, f64::from(c[k]), i64::from(n)) as f64;
                     let right =
@@ -242,12 +247,11 @@ fn tiny_negative(w: &mut Worst) {
 }
 
 fn boundaries(w: &mut Worst) {
-    let mut b = TexBatch::new();
     for n in 1..=256u32 {
         let coords: Vec<[f32; 2]> = (0..n).map(|k| [(f64::from(k) / f64::from(n)) as f32; 2]).collect();
         for mode in MODES {
-            let sampler = sampler([n, 1], mode, GL_NEAREST, Level::detect());
-            for (k, got) in texels(&sampler, &mut b, &coords).into_iter().enumerate() {
+            let texture = Numbered { size: [n, 1], mode, filter: GL_NEAREST };
+            for (k, got) in texture.texels(SimdLevel::detect(), &coords).into_iter().enumerate() {
                 let k = k as f64;
                 let right = got[0] == k || !n.is_power_of_two() && got[0] == k - 1.0;
                 w.holds(right, || format!("{mode:#x}: {k}/{n} reads {}", got[0]));
@@ -257,17 +261,16 @@ fn boundaries(w: &mut Worst) {
 }
 
 fn centres(w: &mut Worst) {
-    let mut b = TexBatch::new();
     for n in (0..=12).map(|p| 1u32 << p) {
         let coords: Vec<[f32; 2]> = (0..n).map(|i| [(i as f32 + 0.5) / n as f32, 0.5]).collect();
-        let linear = sampler([n, 1], GL_CLAMP_TO_EDGE, GL_LINEAR, Level::detect());
-        for (i, got) in texels(&linear, &mut b, &coords).into_iter().enumerate() {
+        let linear = Numbered { size: [n, 1], mode: GL_CLAMP_TO_EDGE, filter: GL_LINEAR };
+        for (i, got) in linear.texels(SimdLevel::detect(), &coords).into_iter().enumerate() {
             // Colours are bytes: columns count modulo 256. Texel n + 1 would be 255ths away.
             w.equal(got[0], (i % 256) as f64, &format!("centre {i} of {n}"));
         }
         for mode in [GL_CLAMP, GL_CLAMP_TO_EDGE, GL_MIRROR_CLAMP_EXT] {
-            let nearest = sampler([n, 1], mode, GL_NEAREST, Level::detect());
-            let got = texels(&nearest, &mut b, &[[1.0, 0.0], [0.5, 0.0], [-0.0, -0.0], [0.0, 0.0]]);
+            let nearest = Numbered { size: [n, 1], mode, filter: GL_NEAREST };
+            let got = nearest.texels(SimdLevel::detect(), &[[1.0, 0.0], [0.5, 0.0], [-0.0, -0.0], [0.0, 0.0]]);
             let columns: Vec<u32> = got.iter().map(|t| t[0].round() as u32).collect();
             w.equal(columns, [n - 1, n / 2, 0, 0].map(|c| c % 256).to_vec(), &format!("{mode:#x}, {n} texels"));
         }
@@ -279,14 +282,7 @@ fn numbered(cx: &mut Context, mode: GLenum, filter: GLenum) {
     let texels: Vec<[u8; 4]> = (0..256u32).map(|i| [(16 + i % 16) as u8, (16 + i / 16) as u8, 77, 255]).collect();
     cx.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA8 as i32, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.as_flattened());
     cx.tex_parameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, &[20.0 / 255.0, 20.0 / 255.0, 77.0 / 255.0, 1.0]);
-    for pname in [GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER] {
-        cx.tex_parameteri(GL_TEXTURE_2D, pname, filter);
-    }
-    for pname in [GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T] {
-        cx.tex_parameteri(GL_TEXTURE_2D, pname, mode);
-    }
-    cx.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    cx.enable(GL_TEXTURE_2D);
+    filtered(cx, mode, filter);
 }
 
 fn no_numbers(w: &mut Worst) {

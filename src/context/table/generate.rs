@@ -161,6 +161,7 @@ macro_rules! chapter {
         }
 
         /// The rows of this chapter.
+        #[cfg(test)]
         pub(crate) const ROWS: &[$crate::context::table::Row] = &[
             $( $crate::context::table::row!($c_class $c_name $(| $c_alias)*), )*
             $( $( $crate::context::table::row!($f_class $f_name $(| $f_alias)*), )* )*

@@ -67,6 +67,8 @@ pub(crate) mod raster;
 mod tests;
 pub(crate) mod texture;
 pub(crate) mod transform;
+#[cfg(test)]
+mod versions;
 pub(crate) mod vertex;
 
 /// The way of every canonical command to the engine: one associated function each, made by the chapters.
@@ -76,6 +78,7 @@ pub(crate) struct Run;
 pub(crate) struct Ask;
 
 /// When a command is allowed and whether a display list records it.
+#[cfg(test)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Allowed between Begin and End, recorded.
@@ -88,7 +91,8 @@ pub enum Class {
     Now,
 }
 
-/// A row of the table as data.
+/// A row of the table as data: what the tests of the table go through.
+#[cfg(test)]
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
     /// The command's name in C.
@@ -99,6 +103,7 @@ pub struct Row {
     pub class: Class,
 }
 
+#[cfg(test)]
 macro_rules! class {
     (begin) => {
         $crate::context::table::Class::Begin
@@ -114,6 +119,7 @@ macro_rules! class {
     };
 }
 
+#[cfg(test)]
 macro_rules! row {
     ($class:ident $name:ident $(| $alias:ident)*) => {
         $crate::context::table::Row {
@@ -123,9 +129,11 @@ macro_rules! row {
         }
     };
 }
+#[cfg(test)]
 pub(crate) use {class, row};
 
 /// The chapters in the order of the specification.
+#[cfg(test)]
 const CHAPTERS: [&[Row]; 12] = [
     vertex::ROWS,
     transform::ROWS,
@@ -142,6 +150,7 @@ const CHAPTERS: [&[Row]; 12] = [
 ];
 
 /// All rows of the table.
+#[cfg(test)]
 pub fn rows() -> impl Iterator<Item = &'static Row> {
     CHAPTERS.into_iter().flatten()
 }

@@ -5,11 +5,16 @@
 
 use super::oracle::lod::Levels;
 use super::oracle::texel::{Image as OracleImage, Sampled, Texture};
-use fixedgl::enums::*;
-use fixedgl::internals::{
-    CompareFunc, Dimensions, Image, InternalFormat, LANES, Level, Sampler, Target, TexBatch, Texels, TextureObject,
-    prepare,
-};
+use crate::enums::*;
+use crate::limits::MAX_TEXTURE_LOD_BIAS;
+use crate::simd::{LANES, Level};
+use crate::state::compare::CompareFunc;
+use crate::state::texture::Target;
+use crate::texture::batch::TexBatch;
+use crate::texture::format::InternalFormat;
+use crate::texture::image::{Dimensions, Image, Texels};
+use crate::texture::object::TextureObject;
+use crate::texture::sampler::{Sampler, prepare};
 use std::sync::Arc;
 
 /// A small generator of random numbers: what it gives is the same everywhere.
@@ -152,7 +157,7 @@ fn texture(random: &mut Random, target: Target, depth: bool) -> Pair {
     (l.min_filter, l.mag_filter) = (p.min_filter, p.mag_filter);
     (l.min_lod, l.max_lod) = (f64::from(p.min_lod), f64::from(p.max_lod));
     (l.object_bias, l.unit_bias) = (f64::from(p.lod_bias), f64::from(unit_bias));
-    l.max_bias = f64::from(fixedgl::internals::MAX_TEXTURE_LOD_BIAS);
+    l.max_bias = f64::from(MAX_TEXTURE_LOD_BIAS);
     (l.base_level, l.max_level) = (p.base_level as u32, p.max_level as u32);
     l.anisotropy = f64::from(p.max_anisotropy);
     prepare(&mut object).unwrap();
