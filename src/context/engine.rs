@@ -10,7 +10,6 @@ use super::config::Config;
 use super::queries::Queries;
 use super::tex_image::{Proxies, Proxy};
 use super::textures::Textures;
-use crate::enums::GL_FRONT;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::limits::MAX_TEXTURE_LEVELS;
@@ -94,8 +93,7 @@ impl Engine {
 
     /// An engine in the initial state that draws into a framebuffer.
     pub(crate) fn with_framebuffer(framebuffer: Framebuffer, config: Config) -> Self {
-        let mut state = State::default();
-        state.color_buffer.draw_buffer = GL_FRONT;
+        let state = State::default();
         let mut engine = Self {
             state,
             dirty: Dirty::ALL,

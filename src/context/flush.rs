@@ -8,6 +8,7 @@ use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::framebuffer::{AccumOp, Clear, Rect};
 use crate::pixels::{ClientTarget, PixelFormat, PixelKind, Purpose};
+use crate::state::color_buffer::ColorBufferName;
 
 impl Engine {
     pub(crate) fn flush(&mut self) {
@@ -29,7 +30,7 @@ impl Engine {
         self.flush_scene();
         let s = &self.state;
         let has = |bit: u32| mask & bit != 0;
-        let color = has(GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != GL_NONE;
+        let color = has(GL_COLOR_BUFFER_BIT) && s.color_buffer.draw_buffer != ColorBufferName::None;
         let clear = Clear {
             color: color.then_some((s.color_buffer.clear_color, s.color_buffer.color_mask)),
             depth: (has(GL_DEPTH_BUFFER_BIT) && s.depth.mask).then_some(s.depth.clear),
@@ -52,7 +53,7 @@ impl Engine {
         };
         self.flush_scene();
         let rect = self.scissor_rect().unwrap_or_else(|| self.framebuffer.rect(0, 0, i32::MAX, i32::MAX));
-        let none = self.state.color_buffer.draw_buffer == GL_NONE;
+        let none = self.state.color_buffer.draw_buffer == ColorBufferName::None;
         let mask = if none { [false; 4] } else { self.state.color_buffer.color_mask };
         self.framebuffer.accumulate(op, value, rect, mask)
     }

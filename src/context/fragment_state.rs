@@ -2,11 +2,13 @@
 //! op, masks, clear values, draw and read buffer.
 
 use super::engine::Engine;
-use crate::enums::*;
-use crate::error::{Outcome, invalid_enum, invalid_operation, known};
+use crate::enums::{GL_NONE, GLenum};
+use crate::error::{Outcome, invalid_operation, known, not_one};
 use crate::num::clamp01;
 use crate::state::Dirty;
+use crate::state::color_buffer::{BlendEquation, BlendFactor, ColorBufferName, LogicOp};
 use crate::state::compare::CompareFunc;
+use crate::state::depth_stencil::StencilOp;
 
 const FRAGMENT: Dirty = Dirty { vertex: false, fragment: true, raster: false };
 
@@ -14,29 +16,13 @@ fn compare_function(func: GLenum) -> Outcome<CompareFunc> {
     known(CompareFunc::from_gl(func), func, "a comparison function (GL_NEVER to GL_ALWAYS)")
 }
 
-fn blend_factor(factor: GLenum, source: bool) -> Outcome {
-    let both = matches!(
-        factor,
-        GL_ZERO
-            | GL_ONE
-            | GL_SRC_COLOR
-            | GL_ONE_MINUS_SRC_COLOR
-            | GL_DST_COLOR
-            | GL_ONE_MINUS_DST_COLOR
-            | GL_SRC_ALPHA
-            | GL_ONE_MINUS_SRC_ALPHA
-            | GL_DST_ALPHA
-            | GL_ONE_MINUS_DST_ALPHA
-            | GL_CONSTANT_COLOR
-            | GL_ONE_MINUS_CONSTANT_COLOR
-            | GL_CONSTANT_ALPHA
-            | GL_ONE_MINUS_CONSTANT_ALPHA
-    );
-    if both || (source && factor == GL_SRC_ALPHA_SATURATE) {
-        return Ok(());
-    }
-    let side = if source { "source" } else { "destination" };
-    Err(invalid_enum(format!("{} is not a {side} blend factor", name(factor))))
+fn source_factor(factor: GLenum) -> Outcome<BlendFactor> {
+    known(BlendFactor::from_gl(factor), factor, "a source blend factor")
+}
+
+fn destination_factor(factor: GLenum) -> Outcome<BlendFactor> {
+    let found = BlendFactor::from_gl(factor).filter(|factor| *factor != BlendFactor::SrcAlphaSaturate);
+    known(found, factor, "a destination blend factor")
 }
 
 impl Engine {
@@ -52,10 +38,8 @@ impl Engine {
     }
 
     pub(crate) fn blend_func_separate(&mut self, src: GLenum, dst: GLenum, src_a: GLenum, dst_a: GLenum) -> Outcome {
-        blend_factor(src, true)?;
-        blend_factor(dst, false)?;
-        blend_factor(src_a, true)?;
-        blend_factor(dst_a, false)?;
+        let (src, dst) = (source_factor(src)?, destination_factor(dst)?);
+        let (src_a, dst_a) = (source_factor(src_a)?, destination_factor(dst_a)?);
         self.state.color_buffer.blend_src = [src, src_a];
         self.state.color_buffer.blend_dst = [dst, dst_a];
         self.dirty.add(FRAGMENT);
@@ -63,11 +47,8 @@ impl Engine {
     }
 
     pub(crate) fn blend_equation(&mut self, mode: GLenum) -> Outcome {
-        match mode {
-            GL_FUNC_ADD | GL_FUNC_SUBTRACT | GL_FUNC_REVERSE_SUBTRACT | GL_MIN | GL_MAX => {}
-            _ => return Err(invalid_enum(format!("{} is not a blend equation", name(mode)))),
-        }
-        self.state.color_buffer.blend_equation = mode;
+        let equation = known(BlendEquation::from_gl(mode), mode, "a blend equation")?;
+        self.state.color_buffer.blend_equation = equation;
         self.dirty.add(FRAGMENT);
         Ok(())
     }
@@ -97,12 +78,8 @@ impl Engine {
     }
 
     pub(crate) fn stencil_op(&mut self, fail: GLenum, depth_fail: GLenum, depth_pass: GLenum) -> Outcome {
-        for op in [fail, depth_fail, depth_pass] {
-            match op {
-                GL_KEEP | GL_ZERO | GL_REPLACE | GL_INCR | GL_DECR | GL_INVERT | GL_INCR_WRAP | GL_DECR_WRAP => {}
-                _ => return Err(invalid_enum(format!("{} is not a stencil operation", name(op)))),
-            }
-        }
+        let known = |op| known(StencilOp::from_gl(op), op, "a stencil operation");
+        let (fail, depth_fail, depth_pass) = (known(fail)?, known(depth_fail)?, known(depth_pass)?);
         let stencil = &mut self.state.stencil;
         (stencil.fail, stencil.depth_fail, stencil.depth_pass) = (fail, depth_fail, depth_pass);
         self.dirty.add(FRAGMENT);
@@ -115,9 +92,7 @@ impl Engine {
     }
 
     pub(crate) fn logic_op(&mut self, op: GLenum) -> Outcome {
-        if !(GL_CLEAR..=GL_SET).contains(&op) {
-            return Err(invalid_enum(format!("{} is not a logic operation (GL_CLEAR to GL_SET)", name(op))));
-        }
+        let op = known(LogicOp::from_gl(op), op, "a logic operation (GL_CLEAR to GL_SET)")?;
         self.state.color_buffer.logic_op = op;
         self.dirty.add(FRAGMENT);
         Ok(())
@@ -154,31 +129,27 @@ impl Engine {
 
     /// The framebuffer has one colour buffer, the front left one.
     pub(crate) fn draw_buffer(&mut self, buffer: GLenum) -> Outcome {
-        if buffer != GL_NONE {
-            one_colour_buffer(buffer)?;
-        }
+        let none = buffer == GL_NONE;
+        let buffer = if none { ColorBufferName::None } else { one_colour_buffer(buffer)? };
         self.state.color_buffer.draw_buffer = buffer;
         self.dirty.add(FRAGMENT);
         Ok(())
     }
 
     pub(crate) fn read_buffer(&mut self, buffer: GLenum) -> Outcome {
-        one_colour_buffer(buffer)?;
-        self.state.pixel.read_buffer = buffer;
+        self.state.pixel.read_buffer = one_colour_buffer(buffer)?;
         Ok(())
     }
 }
 
-/// Whether a buffer name means the front left buffer, the only one there is.
-fn one_colour_buffer(buffer: GLenum) -> Outcome {
-    match buffer {
-        GL_FRONT | GL_FRONT_LEFT | GL_LEFT | GL_FRONT_AND_BACK => Ok(()),
-        GL_BACK | GL_BACK_LEFT | GL_RIGHT | GL_FRONT_RIGHT | GL_BACK_RIGHT | GL_AUX0 | GL_AUX1 | GL_AUX2 | GL_AUX3 => {
-            Err(invalid_operation(format!(
-                "there is no buffer {}: the framebuffer has one colour buffer, GL_FRONT_LEFT",
-                name(buffer)
-            )))
-        }
-        _ => Err(invalid_enum(format!("{} is not the name of a colour buffer", name(buffer)))),
+/// The colour buffer of a name, which must mean the front left one, the only one there is.
+fn one_colour_buffer(buffer: GLenum) -> Outcome<ColorBufferName> {
+    match ColorBufferName::from_gl(buffer) {
+        None | Some(ColorBufferName::None) => Err(not_one(buffer, "the name of a colour buffer")),
+        Some(name) if name.exists() => Ok(name),
+        Some(name) => Err(invalid_operation(format!(
+            "there is no buffer {}: the framebuffer has one colour buffer, GL_FRONT_LEFT",
+            name.name()
+        ))),
     }
 }

@@ -4,10 +4,11 @@
 use super::Params;
 use super::engine::Engine;
 use crate::enums::*;
-use crate::error::{GlError, Outcome, invalid_enum, invalid_value};
+use crate::error::{GlError, Outcome, invalid_enum, invalid_value, known};
 use crate::limits::MAX_LIGHTS;
 use crate::state::Dirty;
-use crate::state::lighting::Material;
+use crate::state::lighting::{ColorControl, MaterialColor, ShadeModel};
+use crate::state::raster::Face;
 use glam::{DMat3, DVec3, DVec4};
 
 const VERTEX: Dirty = Dirty { vertex: true, fragment: false, raster: false };
@@ -16,14 +17,9 @@ fn wrong_pname(command: &str, pname: GLenum) -> GlError {
     invalid_enum(format!("{} is not a parameter of gl{command}", name(pname)))
 }
 
-/// Which of the two materials a face name means.
-pub(crate) fn faces(face: GLenum) -> Outcome<[bool; 2]> {
-    match face {
-        GL_FRONT => Ok([true, false]),
-        GL_BACK => Ok([false, true]),
-        GL_FRONT_AND_BACK => Ok([true, true]),
-        _ => Err(invalid_enum(format!("{} is not GL_FRONT, GL_BACK or GL_FRONT_AND_BACK", name(face)))),
-    }
+/// The faces of a name.
+pub(crate) fn faces(face: GLenum) -> Outcome<Face> {
+    known(Face::from_gl(face), face, "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK")
 }
 
 fn in_range(what: &str, value: f32, range: std::ops::RangeInclusive<f32>) -> Outcome {
@@ -84,15 +80,11 @@ impl Engine {
             }
             GL_LIGHT_MODEL_LOCAL_VIEWER => model.local_viewer = params.boolean(),
             GL_LIGHT_MODEL_TWO_SIDE => model.two_side = params.boolean(),
-            GL_LIGHT_MODEL_COLOR_CONTROL => match params.enumerant() {
-                value @ (GL_SINGLE_COLOR | GL_SEPARATE_SPECULAR_COLOR) => model.color_control = value,
-                value => {
-                    return Err(invalid_enum(format!(
-                        "{} is not GL_SINGLE_COLOR or GL_SEPARATE_SPECULAR_COLOR",
-                        name(value)
-                    )));
-                }
-            },
+            GL_LIGHT_MODEL_COLOR_CONTROL => {
+                let value = params.enumerant();
+                let what = "GL_SINGLE_COLOR or GL_SEPARATE_SPECULAR_COLOR";
+                model.color_control = known(ColorControl::from_gl(value), value, what)?;
+            }
             _ => return Err(wrong_pname("LightModel", pname)),
         }
         self.dirty = Dirty::ALL;
@@ -101,17 +93,21 @@ impl Engine {
 
     pub(crate) fn material(&mut self, face: GLenum, pname: GLenum, params: &Params) -> Outcome {
         let faces = faces(face)?;
+        let color = MaterialColor::from_gl(pname);
         match pname {
             GL_SHININESS => in_range("a shininess", params.scalar(), 0.0..=128.0)?,
-            GL_AMBIENT | GL_DIFFUSE | GL_SPECULAR | GL_EMISSION | GL_AMBIENT_AND_DIFFUSE | GL_COLOR_INDEXES => {
-                params.vector_only("Material", pname)?;
-            }
+            GL_COLOR_INDEXES => params.vector_only("Material", pname)?,
+            _ if color.is_some() => params.vector_only("Material", pname)?,
             _ => return Err(wrong_pname("Material", pname)),
         }
         // Vertices that were issued before keep the material of their time.
         self.before_material_change();
-        for (material, _) in self.state.lighting.materials.iter_mut().zip(faces).filter(|(_, chosen)| *chosen) {
-            set_material(material, pname, params);
+        for material in chosen(&mut self.state.lighting.materials, faces) {
+            match color {
+                Some(color) => material.set_color(color, params.color()),
+                None if pname == GL_SHININESS => material.shininess = params.scalar(),
+                None => material.indexes = std::array::from_fn(|i| params.number(i)),
+            }
         }
         self.track_color();
         self.dirty.add(VERTEX);
@@ -119,11 +115,8 @@ impl Engine {
     }
 
     pub(crate) fn color_material(&mut self, face: GLenum, mode: GLenum) -> Outcome {
-        faces(face)?;
-        match mode {
-            GL_EMISSION | GL_AMBIENT | GL_DIFFUSE | GL_SPECULAR | GL_AMBIENT_AND_DIFFUSE => {}
-            _ => return Err(invalid_enum(format!("{} is not a material colour that can track", name(mode)))),
-        }
+        let face = faces(face)?;
+        let mode = known(MaterialColor::from_gl(mode), mode, "a material colour that can track")?;
         self.state.lighting.color_material_face = face;
         self.state.lighting.color_material_mode = mode;
         self.track_color();
@@ -137,21 +130,21 @@ impl Engine {
         if !lighting.color_material {
             return;
         }
-        let color = Params::floats(&self.state.current.color);
-        let chosen = faces(lighting.color_material_face).unwrap_or([false; 2]);
-        for (material, _) in lighting.materials.iter_mut().zip(chosen).filter(|(_, chosen)| *chosen) {
-            set_material(material, lighting.color_material_mode, &color);
+        for material in chosen(&mut lighting.materials, lighting.color_material_face) {
+            material.set_color(lighting.color_material_mode, self.state.current.color);
         }
     }
 
     pub(crate) fn shade_model(&mut self, mode: GLenum) -> Outcome {
-        match mode {
-            GL_FLAT | GL_SMOOTH => self.state.lighting.shade_model = mode,
-            _ => return Err(invalid_enum(format!("{} is not GL_FLAT or GL_SMOOTH", name(mode)))),
-        }
+        self.state.lighting.shade_model = known(ShadeModel::from_gl(mode), mode, "GL_FLAT or GL_SMOOTH")?;
         self.dirty = Dirty::ALL;
         Ok(())
     }
+}
+
+/// Those of a pair, front and back, that are meant.
+pub(crate) fn chosen<T>(of: &mut [T; 2], faces: Face) -> impl Iterator<Item = &mut T> {
+    of.iter_mut().zip(faces.chosen()).filter_map(|(of, chosen)| chosen.then_some(of))
 }
 
 /// The number of a light by its name.
@@ -161,19 +154,4 @@ pub(crate) fn light_index(light: GLenum) -> Outcome<usize> {
         return Ok(index);
     }
     Err(invalid_enum(format!("{} is not a light; there are GL_LIGHT0 to GL_LIGHT{}", name(light), MAX_LIGHTS - 1)))
-}
-
-fn set_material(material: &mut Material, pname: GLenum, params: &Params) {
-    match pname {
-        GL_AMBIENT => material.ambient = params.color(),
-        GL_DIFFUSE => material.diffuse = params.color(),
-        GL_SPECULAR => material.specular = params.color(),
-        GL_EMISSION => material.emission = params.color(),
-        GL_AMBIENT_AND_DIFFUSE => {
-            material.ambient = params.color();
-            material.diffuse = params.color();
-        }
-        GL_SHININESS => material.shininess = params.scalar(),
-        _ => material.indexes = std::array::from_fn(|i| params.number(i)),
-    }
 }

@@ -6,6 +6,7 @@ use super::{Params, Pixels, Values};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_value};
 use crate::pixels::{ClientImage, ClientTarget, PixelFormat, Transfer};
+use crate::state::raster::HintMode;
 use crate::texture::s3tc::Fit;
 
 impl Engine {
@@ -78,8 +79,8 @@ impl Engine {
     /// How the blocks of compressed images are chosen from here on.
     pub(crate) fn fit(&self) -> Fit {
         match self.state.hint.texture_compression {
-            GL_NICEST => Fit::LeastSquares,
-            _ => Fit::Extremes,
+            HintMode::Nicest => Fit::LeastSquares,
+            HintMode::DontCare | HintMode::Fastest => Fit::Extremes,
         }
     }
 }

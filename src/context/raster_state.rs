@@ -3,11 +3,14 @@
 
 use super::Params;
 use super::engine::Engine;
+use super::lighting_state::{chosen, faces};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_value};
 use crate::limits::{MAX_CLIP_PLANES, MAX_VIEWPORT_DIM};
 use crate::num::clamp01;
 use crate::state::Dirty;
+use crate::state::fog::{FogCoordSource, FogMode};
+use crate::state::raster::{Face, HintMode, PolygonMode, Winding};
 use glam::{DMat4, DVec4};
 
 const RASTER: Dirty = Dirty { vertex: false, fragment: false, raster: true };
@@ -17,12 +20,9 @@ fn positive(what: &str, value: f32) -> Outcome {
     if value > 0.0 { Ok(()) } else { Err(invalid_value(format!("a {what} of {value}; it must be greater than 0"))) }
 }
 
-fn one_of(value: GLenum, allowed: &[GLenum], what: &str) -> Outcome {
-    if allowed.contains(&value) {
-        return Ok(());
-    }
-    let names: Vec<String> = allowed.iter().map(|v| name(*v)).collect();
-    Err(invalid_enum(format!("{} is not a {what}; it is one of {}", name(value), names.join(", "))))
+/// The value that an enumerant was found to stand for, or `INVALID_ENUM` with all names.
+fn one_of<T, const N: usize>(found: Option<T>, value: GLenum, names: [&str; N], what: &str) -> Outcome<T> {
+    found.ok_or_else(|| invalid_enum(format!("{} is not a {what}; it is one of {}", name(value), names.join(", "))))
 }
 
 impl Engine {
@@ -71,9 +71,9 @@ impl Engine {
     }
 
     pub(crate) fn polygon_mode(&mut self, face: GLenum, mode: GLenum) -> Outcome {
-        let faces = super::lighting_state::faces(face)?;
-        one_of(mode, &[GL_POINT, GL_LINE, GL_FILL], "polygon mode")?;
-        for (to, _) in self.state.polygon.mode.iter_mut().zip(faces).filter(|(_, chosen)| *chosen) {
+        let faces = faces(face)?;
+        let mode = one_of(PolygonMode::from_gl(mode), mode, PolygonMode::ALL.map(PolygonMode::name), "polygon mode")?;
+        for to in chosen(&mut self.state.polygon.mode, faces) {
             *to = mode;
         }
         self.dirty = Dirty::ALL;
@@ -93,14 +93,14 @@ impl Engine {
     }
 
     pub(crate) fn cull_face(&mut self, face: GLenum) -> Outcome {
-        one_of(face, &[GL_FRONT, GL_BACK, GL_FRONT_AND_BACK], "face")?;
+        let face = one_of(Face::from_gl(face), face, Face::ALL.map(Face::name), "face")?;
         self.state.polygon.cull_face = face;
         self.dirty.add(RASTER);
         Ok(())
     }
 
     pub(crate) fn front_face(&mut self, winding: GLenum) -> Outcome {
-        one_of(winding, &[GL_CW, GL_CCW], "winding")?;
+        let winding = one_of(Winding::from_gl(winding), winding, Winding::ALL.map(Winding::name), "winding")?;
         self.state.polygon.front_face = winding;
         self.dirty.add(RASTER);
         Ok(())
@@ -147,12 +147,13 @@ impl Engine {
         let fog = &mut self.state.fog;
         match pname {
             GL_FOG_MODE => {
-                one_of(params.enumerant(), &[GL_EXP, GL_EXP2, GL_LINEAR], "fog mode")?;
-                fog.mode = params.enumerant();
+                let mode = params.enumerant();
+                fog.mode = one_of(FogMode::from_gl(mode), mode, FogMode::ALL.map(FogMode::name), "fog mode")?;
             }
             GL_FOG_COORD_SRC => {
-                one_of(params.enumerant(), &[GL_FRAGMENT_DEPTH, GL_FOG_COORD], "fog coordinate source")?;
-                fog.coord_source = params.enumerant();
+                let source = params.enumerant();
+                let names = FogCoordSource::ALL.map(FogCoordSource::name);
+                fog.coord_source = one_of(FogCoordSource::from_gl(source), source, names, "fog coordinate source")?;
             }
             GL_FOG_COLOR => {
                 params.vector_only("Fog", pname)?;
@@ -175,7 +176,7 @@ impl Engine {
     }
 
     pub(crate) fn hint(&mut self, target: GLenum, mode: GLenum) -> Outcome {
-        one_of(mode, &[GL_DONT_CARE, GL_FASTEST, GL_NICEST], "hint")?;
+        let mode = one_of(HintMode::from_gl(mode), mode, HintMode::ALL.map(HintMode::name), "hint")?;
         let hint = &mut self.state.hint;
         let place = match target {
             GL_PERSPECTIVE_CORRECTION_HINT => &mut hint.perspective_correction,

@@ -4,12 +4,13 @@
 
 use super::begin_end::LONG;
 use super::engine::Engine;
-use crate::enums::{GL_FILL, name};
+use crate::enums::name;
 use crate::fragment::program::{Decision, Options, Program};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::raster::{Draw, RasterState};
 use crate::simd::{Counters, Tally};
 use crate::state::Dirty;
+use crate::state::raster::PolygonMode;
 use crate::state::texture::Target;
 use crate::texture::object::TextureObject;
 use crate::texture::sampler;
@@ -36,7 +37,7 @@ impl Engine {
         let format = self.framebuffer.format();
         let (width, height) = (self.framebuffer.width(), self.framebuffer.height());
         let raster = RasterState::build(&self.state, width, height, u32::from(format.depth_bits));
-        let polygons_filled = self.state.polygon.mode == [GL_FILL; 2];
+        let polygons_filled = self.state.polygon.mode == [PolygonMode::Fill; 2];
         let wants = Wants { exact_volume: !polygons_filled, edges: !polygons_filled };
         self.pipe.rebuild(&self.state, &program.layout, wants);
         self.scene.begin_draw(Arc::new(Draw { program, raster }));

@@ -3,13 +3,13 @@
 
 use crate::fragment::batch::FragmentBatch;
 use crate::fragment::planes::{Layout, PlanePool, Planes};
-use crate::fragment::reference::blend::{Equation, Factor};
-use crate::fragment::reference::stencil::StencilOp;
 use crate::fragment::span::nearest::Copied;
 use crate::fragment::span::sampled::Shown;
 use crate::fragment::span::two_units::Last;
 use crate::framebuffer::Band;
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::state::color_buffer::{BlendEquation, BlendFactor};
+use crate::state::depth_stencil::StencilOp;
 use crate::texture::lod::RhoRanges;
 
 /// The numbers behind a program.
@@ -70,11 +70,11 @@ pub struct StencilUniforms {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BlendUniforms {
     /// SpanShader factors of RGB and alpha.
-    pub src: [Factor; 2],
+    pub src: [BlendFactor; 2],
     /// Destination factors of RGB and alpha.
-    pub dst: [Factor; 2],
+    pub dst: [BlendFactor; 2],
     /// The equation.
-    pub equation: Equation,
+    pub equation: BlendEquation,
     /// The constant colour.
     pub color: [f32; 4],
 }

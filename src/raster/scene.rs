@@ -10,11 +10,11 @@ use super::program_trait::FragmentProgram;
 use super::raster_thread::{FramebufferLease, GeometryPool, RasterJob, RasterOptions, RasterThread, SetupFn};
 use super::scheduler::{BinnedGeometry, SplitDraw, SplitDrawRun};
 use super::setup::planes::SetupPlan;
-use super::state::Mode;
 use super::vertex::VertexRef;
 use super::worker_pool::WorkerPool;
 use crate::framebuffer::Framebuffer;
 use crate::simd::{LANES, Level};
+use crate::state::raster::PolygonMode;
 use std::mem::take;
 use std::panic::resume_unwind;
 use std::sync::{Arc, RwLock};
@@ -176,7 +176,9 @@ impl<P: FragmentProgram> Scene<P> {
     /// but the stipple of lines goes on from one to the next.
     #[must_use]
     pub fn can_be_split(&self) -> bool {
-        self.draws.last().is_some_and(|draw| draw.raster.mode == [Mode::Fill; 2] && !draw.program.draws_nothing())
+        self.draws
+            .last()
+            .is_some_and(|draw| draw.raster.mode == [PolygonMode::Fill; 2] && !draw.program.draws_nothing())
     }
 
     /// Draws pieces of the current draw, after all that waits, with as many threads as there are of `scratch`. Returns how

@@ -1,9 +1,10 @@
 //! What the rasteriser needs to know of the state (OpenGL 1.5, sections 2.13, 3.3 to 3.5, 4.1.2): rectangles, facing and
 //! culling, polygon modes and offset, widths and stipples, as numbers that setup uses without looking anything up.
 
-use crate::enums::{GL_BACK, GL_CCW, GL_FLAT, GL_FRONT, GL_FRONT_AND_BACK, GL_LINE, GL_POINT, GLenum};
 use crate::limits::{LINE_WIDTH_RANGE, POINT_SIZE_RANGE};
 use crate::state::State;
+use crate::state::lighting::ShadeModel;
+use crate::state::raster::{PolygonMode, Winding};
 
 /// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,27 +52,6 @@ impl Rect {
     }
 }
 
-/// How the polygons of one face are drawn (section 3.5.4).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
-    /// Their vertices, as points.
-    Point,
-    /// Their boundary edges, as lines.
-    Line,
-    /// Their inside.
-    Fill,
-}
-
-impl Mode {
-    const fn of(value: GLenum) -> Self {
-        match value {
-            GL_POINT => Self::Point,
-            GL_LINE => Self::Line,
-            _ => Self::Fill,
-        }
-    }
-}
-
 /// The rasteriser's part of a draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RasterState {
@@ -86,8 +66,8 @@ pub struct RasterState {
     /// Whether a counter-clockwise polygon is a front face.
     pub ccw_is_front: bool,
     /// Modes of front and back faces.
-    pub mode: [Mode; 2],
-    /// Whether depth is offset in modes point, line and fill (indexed by [`Mode`]).
+    pub mode: [PolygonMode; 2],
+    /// Whether depth is offset in modes point, line and fill (indexed by [`PolygonMode`]).
     pub offset: [bool; 3],
     /// Offset per unit of slope.
     pub offset_factor: f64,
@@ -118,7 +98,6 @@ impl RasterState {
         let v = &state.viewport;
         let viewport = Rect::sized(v.x, v.y, v.width, v.height);
         let p = &state.polygon;
-        let culled = |face| p.cull && (p.cull_face == face || p.cull_face == GL_FRONT_AND_BACK);
         let line = &state.line;
         let factor = line.stipple_factor.clamp(1, 256).unsigned_abs();
         let finite = |x: f32| if x.is_finite() { f64::from(x) } else { 0.0 };
@@ -126,14 +105,14 @@ impl RasterState {
             viewport,
             clip,
             area: clip.and(viewport),
-            cull: [culled(GL_FRONT), culled(GL_BACK)],
-            ccw_is_front: p.front_face == GL_CCW,
-            mode: p.mode.map(Mode::of),
+            cull: p.cull_face.chosen().map(|chosen| chosen && p.cull),
+            ccw_is_front: p.front_face == Winding::CounterClockwise,
+            mode: p.mode,
             offset: p.offset,
             offset_factor: finite(p.offset_factor),
             offset_units: finite(p.offset_units),
             depth_scale: ((1u64 << depth_bits.min(32)) - 1) as f64,
-            flat: state.lighting.shade_model == GL_FLAT,
+            flat: state.lighting.shade_model == ShadeModel::Flat,
             smooth: [state.point.smooth, line.smooth, p.smooth],
             line_width: limited(line.width, LINE_WIDTH_RANGE),
             line_stipple: line.stipple.then_some((line.stipple_pattern, factor)),
@@ -163,7 +142,6 @@ pub fn limited_point(size: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::enums::GL_CW;
 
     #[test]
     fn the_initial_state_fills_both_faces_of_the_whole_viewport() {
@@ -172,7 +150,7 @@ mod tests {
         let rs = RasterState::build(&state, 64, 64, 24);
         assert_eq!(rs.area, Rect { x0: 0, y0: 0, x1: 64, y1: 50 });
         assert_eq!(rs.clip, Rect { x0: 0, y0: 0, x1: 64, y1: 64 });
-        assert_eq!((rs.cull, rs.ccw_is_front, rs.mode), ([false; 2], true, [Mode::Fill; 2]));
+        assert_eq!((rs.cull, rs.ccw_is_front, rs.mode), ([false; 2], true, [PolygonMode::Fill; 2]));
         assert_eq!(rs.depth_scale, 16_777_215.0);
         assert!(!rs.flat && rs.line_stipple.is_none() && rs.polygon_stipple.is_none());
     }
@@ -184,7 +162,7 @@ mod tests {
         state.scissor.enabled = true;
         (state.scissor.x, state.scissor.y) = (10, i32::MAX);
         (state.scissor.width, state.scissor.height) = (i32::MAX, i32::MAX);
-        state.polygon.front_face = GL_CW;
+        state.polygon.front_face = Winding::Clockwise;
         state.polygon.cull = true;
         state.line.width = f32::NAN;
         state.polygon.offset_factor = f32::INFINITY;

@@ -1,7 +1,31 @@
 //! Depth and stencil test state (OpenGL 1.5, sections 4.1.5 and 4.1.6, table 6.20).
 
 use super::compare::CompareFunc;
-use crate::enums::{GL_KEEP, GLenum};
+use crate::enums::gl_enum;
+
+gl_enum! {
+    /// What happens to a stencil value.
+    #[derive(Default)]
+    pub enum StencilOp {
+        /// It stays.
+        #[default]
+        Keep = GL_KEEP,
+        /// It becomes 0.
+        Zero = GL_ZERO,
+        /// It becomes the reference value.
+        Replace = GL_REPLACE,
+        /// One more, at most the largest value.
+        Incr = GL_INCR,
+        /// One less, at least 0.
+        Decr = GL_DECR,
+        /// All bits change.
+        Invert = GL_INVERT,
+        /// One more, 0 after the largest value.
+        IncrWrap = GL_INCR_WRAP,
+        /// One less, the largest value after 0.
+        DecrWrap = GL_DECR_WRAP,
+    }
+}
 
 /// Depth test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,11 +58,11 @@ pub struct Stencil {
     /// Comparison mask.
     pub value_mask: u32,
     /// Operation where the stencil test fails.
-    pub fail: GLenum,
+    pub fail: StencilOp,
     /// Operation where the depth test fails.
-    pub depth_fail: GLenum,
+    pub depth_fail: StencilOp,
     /// Operation where both pass.
-    pub depth_pass: GLenum,
+    pub depth_pass: StencilOp,
     /// Which bits are written.
     pub write_mask: u32,
     /// Clear value.
@@ -52,9 +76,9 @@ impl Default for Stencil {
             func: CompareFunc::Always,
             reference: 0,
             value_mask: u32::MAX,
-            fail: GL_KEEP,
-            depth_fail: GL_KEEP,
-            depth_pass: GL_KEEP,
+            fail: StencilOp::Keep,
+            depth_fail: StencilOp::Keep,
+            depth_pass: StencilOp::Keep,
             write_mask: u32::MAX,
             clear: 0,
         }

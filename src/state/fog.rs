@@ -1,6 +1,28 @@
 //! Fog and colour sum (OpenGL 1.5, sections 3.9 and 3.10, table 6.8).
 
-use crate::enums::{GL_EXP, GL_FRAGMENT_DEPTH, GLenum};
+use crate::enums::gl_enum;
+
+gl_enum! {
+    /// How fog grows with the distance.
+    pub enum FogMode {
+        /// Exponentially with the density.
+        Exp = GL_EXP,
+        /// The same with the square.
+        Exp2 = GL_EXP2,
+        /// Linearly from start to end.
+        Linear = GL_LINEAR,
+    }
+}
+
+gl_enum! {
+    /// What fog takes as the distance.
+    pub enum FogCoordSource {
+        /// The distance from the eye.
+        FragmentDepth = GL_FRAGMENT_DEPTH,
+        /// The fog coordinate that the vertices have.
+        FogCoord = GL_FOG_COORD,
+    }
+}
 
 /// Fog parameters and the colour sum enable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,10 +39,10 @@ pub struct Fog {
     pub start: f32,
     /// Where linear fog ends.
     pub end: f32,
-    /// `GL_EXP`, `GL_EXP2` or `GL_LINEAR`.
-    pub mode: GLenum,
-    /// `GL_FRAGMENT_DEPTH` or `GL_FOG_COORD`.
-    pub coord_source: GLenum,
+    /// How fog grows with the distance.
+    pub mode: FogMode,
+    /// What fog takes as the distance.
+    pub coord_source: FogCoordSource,
     /// `GL_COLOR_SUM`.
     pub color_sum: bool,
 }
@@ -34,8 +56,8 @@ impl Default for Fog {
             density: 1.0,
             start: 0.0,
             end: 1.0,
-            mode: GL_EXP,
-            coord_source: GL_FRAGMENT_DEPTH,
+            mode: FogMode::Exp,
+            coord_source: FogCoordSource::FragmentDepth,
             color_sum: false,
         }
     }

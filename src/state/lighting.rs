@@ -1,22 +1,54 @@
 //! Lighting state (OpenGL 1.5, section 2.14, tables 6.8 to 6.11): shade model, colour material, the light model, two
 //! materials and eight lights. Positions and directions are kept in eye coordinates, as the spec stores them.
 
-use crate::enums::{GL_AMBIENT_AND_DIFFUSE, GL_FRONT_AND_BACK, GL_SINGLE_COLOR, GL_SMOOTH, GLenum};
+use super::raster::Face;
+use crate::enums::gl_enum;
 use crate::limits::MAX_LIGHTS;
+
+gl_enum! {
+    /// Where the specular part of lighting goes.
+    pub enum ColorControl {
+        /// Into the primary colour.
+        SingleColor = GL_SINGLE_COLOR,
+        /// Into the secondary colour, which is added after texturing.
+        SeparateSpecularColor = GL_SEPARATE_SPECULAR_COLOR,
+    }
+}
+
+gl_enum! {
+    /// Whether colours are interpolated over a primitive.
+    pub enum ShadeModel {
+        /// They are those of one vertex.
+        Flat = GL_FLAT,
+        /// They are.
+        Smooth = GL_SMOOTH,
+    }
+}
+
+gl_enum! {
+    /// The colours of a material that may follow the current colour.
+    pub enum MaterialColor {
+        Emission = GL_EMISSION,
+        Ambient = GL_AMBIENT,
+        Diffuse = GL_DIFFUSE,
+        Specular = GL_SPECULAR,
+        AmbientAndDiffuse = GL_AMBIENT_AND_DIFFUSE,
+    }
+}
 
 /// Lighting, shading and materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lighting {
     /// `GL_LIGHTING`.
     pub enabled: bool,
-    /// `GL_SMOOTH` or `GL_FLAT`.
-    pub shade_model: GLenum,
+    /// Whether colours are interpolated.
+    pub shade_model: ShadeModel,
     /// `GL_COLOR_MATERIAL`.
     pub color_material: bool,
     /// Which faces the current colour tracks.
-    pub color_material_face: GLenum,
+    pub color_material_face: Face,
     /// Which properties the current colour tracks.
-    pub color_material_mode: GLenum,
+    pub color_material_mode: MaterialColor,
     /// The light model.
     pub model: LightModel,
     /// Front and back material.
@@ -34,8 +66,8 @@ pub struct LightModel {
     pub local_viewer: bool,
     /// `GL_LIGHT_MODEL_TWO_SIDE`.
     pub two_side: bool,
-    /// `GL_SINGLE_COLOR` or `GL_SEPARATE_SPECULAR_COLOR`.
-    pub color_control: GLenum,
+    /// Where the specular part goes.
+    pub color_control: ColorControl,
 }
 
 /// A material (table 2.9, first group).
@@ -78,6 +110,19 @@ pub struct Light {
     pub attenuation: [f32; 3],
 }
 
+impl Material {
+    /// Sets one colour, or two.
+    pub const fn set_color(&mut self, which: MaterialColor, color: [f32; 4]) {
+        match which {
+            MaterialColor::Emission => self.emission = color,
+            MaterialColor::Ambient => self.ambient = color,
+            MaterialColor::Diffuse => self.diffuse = color,
+            MaterialColor::Specular => self.specular = color,
+            MaterialColor::AmbientAndDiffuse => (self.ambient, self.diffuse) = (color, color),
+        }
+    }
+}
+
 impl Default for Lighting {
     fn default() -> Self {
         let mut lights: [Light; MAX_LIGHTS] = std::array::from_fn(|_| Light::default());
@@ -85,10 +130,10 @@ impl Default for Lighting {
         lights[0].specular = [1.0; 4];
         Self {
             enabled: false,
-            shade_model: GL_SMOOTH,
+            shade_model: ShadeModel::Smooth,
             color_material: false,
-            color_material_face: GL_FRONT_AND_BACK,
-            color_material_mode: GL_AMBIENT_AND_DIFFUSE,
+            color_material_face: Face::FrontAndBack,
+            color_material_mode: MaterialColor::AmbientAndDiffuse,
             model: LightModel::default(),
             materials: [Material::default(), Material::default()],
             lights,
@@ -98,7 +143,12 @@ impl Default for Lighting {
 
 impl Default for LightModel {
     fn default() -> Self {
-        Self { ambient: [0.2, 0.2, 0.2, 1.0], local_viewer: false, two_side: false, color_control: GL_SINGLE_COLOR }
+        Self {
+            ambient: [0.2, 0.2, 0.2, 1.0],
+            local_viewer: false,
+            two_side: false,
+            color_control: ColorControl::SingleColor,
+        }
     }
 }
 

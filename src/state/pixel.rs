@@ -2,6 +2,7 @@
 //! out (`PixelStore`, client state), what is done to pixels on their way (`PixelTransfer`), and the zoom of DrawPixels. A
 //! setter checks its value before it changes anything.
 
+use super::color_buffer::ColorBufferName;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_value};
 
@@ -264,12 +265,12 @@ pub struct Pixel {
     /// ZOOM_X and ZOOM_Y of DrawPixels and CopyPixels.
     pub zoom: [f32; 2],
     /// Which colour buffer is read.
-    pub read_buffer: GLenum,
+    pub read_buffer: ColorBufferName,
 }
 
 impl Default for Pixel {
     fn default() -> Self {
-        Self { transfer: PixelTransfer::default(), zoom: [1.0; 2], read_buffer: GL_FRONT }
+        Self { transfer: PixelTransfer::default(), zoom: [1.0; 2], read_buffer: ColorBufferName::Front }
     }
 }
 

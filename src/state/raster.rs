@@ -1,7 +1,57 @@
 //! Rasterisation state (OpenGL 1.5, sections 3.3 to 3.5, tables 6.12 to 6.14 and 6.26): points, lines, polygons,
 //! stipple, multisampling switches and hints.
 
-use crate::enums::{GL_BACK, GL_CCW, GL_DONT_CARE, GL_FILL, GLenum};
+use crate::enums::gl_enum;
+
+gl_enum! {
+    /// Which faces of polygons are meant.
+    pub enum Face {
+        Front = GL_FRONT,
+        Back = GL_BACK,
+        FrontAndBack = GL_FRONT_AND_BACK,
+    }
+}
+
+impl Face {
+    /// Whether front, back faces are meant.
+    #[must_use]
+    pub const fn chosen(self) -> [bool; 2] {
+        match self {
+            Self::Front => [true, false],
+            Self::Back => [false, true],
+            Self::FrontAndBack => [true, true],
+        }
+    }
+}
+
+gl_enum! {
+    /// The order of a polygon's vertices in the window.
+    pub enum Winding {
+        Clockwise = GL_CW,
+        CounterClockwise = GL_CCW,
+    }
+}
+
+gl_enum! {
+    /// How the polygons of one face are drawn (section 3.5.4).
+    pub enum PolygonMode {
+        /// Their vertices, as points.
+        Point = GL_POINT,
+        /// Their boundary edges, as lines.
+        Line = GL_LINE,
+        /// Their inside.
+        Fill = GL_FILL,
+    }
+}
+
+gl_enum! {
+    /// What a hint asks for (section 5.6).
+    pub enum HintMode {
+        DontCare = GL_DONT_CARE,
+        Fastest = GL_FASTEST,
+        Nicest = GL_NICEST,
+    }
+}
 
 /// Points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,13 +110,13 @@ pub struct Polygon {
     /// `GL_CULL_FACE`.
     pub cull: bool,
     /// Which faces are culled.
-    pub cull_face: GLenum,
+    pub cull_face: Face,
     /// Which winding is the front.
-    pub front_face: GLenum,
+    pub front_face: Winding,
     /// `GL_POLYGON_SMOOTH`.
     pub smooth: bool,
-    /// Front and back: `GL_POINT`, `GL_LINE` or `GL_FILL`.
-    pub mode: [GLenum; 2],
+    /// Modes of front and back faces.
+    pub mode: [PolygonMode; 2],
     /// Offset factor (times the slope).
     pub offset_factor: f32,
     /// Offset units (times the least resolvable difference).
@@ -81,10 +131,10 @@ impl Default for Polygon {
     fn default() -> Self {
         Self {
             cull: false,
-            cull_face: GL_BACK,
-            front_face: GL_CCW,
+            cull_face: Face::Back,
+            front_face: Winding::CounterClockwise,
             smooth: false,
-            mode: [GL_FILL; 2],
+            mode: [PolygonMode::Fill; 2],
             offset_factor: 0.0,
             offset_units: 0.0,
             offset: [false; 3],
@@ -137,31 +187,31 @@ impl Default for Multisample {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hint {
     /// `GL_PERSPECTIVE_CORRECTION_HINT`.
-    pub perspective_correction: GLenum,
+    pub perspective_correction: HintMode,
     /// `GL_POINT_SMOOTH_HINT`.
-    pub point_smooth: GLenum,
+    pub point_smooth: HintMode,
     /// `GL_LINE_SMOOTH_HINT`.
-    pub line_smooth: GLenum,
+    pub line_smooth: HintMode,
     /// `GL_POLYGON_SMOOTH_HINT`.
-    pub polygon_smooth: GLenum,
+    pub polygon_smooth: HintMode,
     /// `GL_FOG_HINT`.
-    pub fog: GLenum,
+    pub fog: HintMode,
     /// `GL_GENERATE_MIPMAP_HINT`.
-    pub generate_mipmap: GLenum,
+    pub generate_mipmap: HintMode,
     /// `GL_TEXTURE_COMPRESSION_HINT`.
-    pub texture_compression: GLenum,
+    pub texture_compression: HintMode,
 }
 
 impl Default for Hint {
     fn default() -> Self {
         Self {
-            perspective_correction: GL_DONT_CARE,
-            point_smooth: GL_DONT_CARE,
-            line_smooth: GL_DONT_CARE,
-            polygon_smooth: GL_DONT_CARE,
-            fog: GL_DONT_CARE,
-            generate_mipmap: GL_DONT_CARE,
-            texture_compression: GL_DONT_CARE,
+            perspective_correction: HintMode::DontCare,
+            point_smooth: HintMode::DontCare,
+            line_smooth: HintMode::DontCare,
+            polygon_smooth: HintMode::DontCare,
+            fog: HintMode::DontCare,
+            generate_mipmap: HintMode::DontCare,
+            texture_compression: HintMode::DontCare,
         }
     }
 }

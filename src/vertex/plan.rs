@@ -14,6 +14,10 @@ use crate::num;
 use crate::raster::vertex::outcode;
 use crate::simd::{Level, Plan, Stage, Step};
 use crate::state::State;
+use crate::state::fog::FogCoordSource;
+use crate::state::lighting::ColorControl;
+use crate::state::lighting::MaterialColor;
+use crate::state::lighting::ShadeModel;
 use crate::state::lighting::{Light, Lighting, Material};
 use crate::state::texture::Unit;
 use glam::{DMat4, DVec3};
@@ -101,7 +105,7 @@ impl VertexPlan {
         self.plan.steps.clear();
         self.layout.clone_from(layout);
         self.needs = if wants.edges { needs::EDGE } else { 0 };
-        self.flat = state.lighting.shade_model == GL_FLAT;
+        self.flat = state.lighting.shade_model == ShadeModel::Flat;
         self.clip_mask = outcode::NEEDS_CLIP | if wants.exact_volume { outcode::FRUSTUM } else { 0 };
         self.matrices(state);
         let mut tail = Plan::new(self.plan.level());
@@ -178,7 +182,7 @@ impl VertexPlan {
     fn fog(&mut self, tail: &mut Plan<VertFn>, state: &State, layout: &Layout, r: &mut Requirements) {
         let Some(slot) = layout.fog else { return };
         self.uniforms.fog_slot = slot;
-        if state.fog.coord_source == GL_FOG_COORD {
+        if state.fog.coord_source == FogCoordSource::FogCoord {
             self.needs |= needs::FOG;
             tail.push(&transform::FOG_COORD, 0);
         } else {
@@ -265,7 +269,7 @@ impl VertexPlan {
         if track != [0; 2] {
             self.needs |= needs::COLOR;
         }
-        let separate = s.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+        let separate = s.model.color_control == ColorControl::SeparateSpecularColor;
         let secondary_taken = layout.secondary.is_some();
         let shown = [true, u.two_side];
         let any = |f: &dyn Fn(&Material, u32) -> bool| {
@@ -387,17 +391,13 @@ fn tracking(s: &Lighting) -> [u32; 2] {
         return [0; 2];
     }
     let bits = match s.color_material_mode {
-        GL_EMISSION => TRACK_EMISSION,
-        GL_AMBIENT => TRACK_AMBIENT,
-        GL_DIFFUSE => TRACK_DIFFUSE,
-        GL_SPECULAR => TRACK_SPECULAR,
-        _ => TRACK_AMBIENT | TRACK_DIFFUSE,
+        MaterialColor::Emission => TRACK_EMISSION,
+        MaterialColor::Ambient => TRACK_AMBIENT,
+        MaterialColor::Diffuse => TRACK_DIFFUSE,
+        MaterialColor::Specular => TRACK_SPECULAR,
+        MaterialColor::AmbientAndDiffuse => TRACK_AMBIENT | TRACK_DIFFUSE,
     };
-    match s.color_material_face {
-        GL_FRONT => [bits, 0],
-        GL_BACK => [0, bits],
-        _ => [bits; 2],
-    }
+    s.color_material_face.chosen().map(|chosen| if chosen { bits } else { 0 })
 }
 
 fn material_uniforms(m: &Material, ambient: &[f32; 3]) -> MaterialUniforms {

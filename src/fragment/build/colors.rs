@@ -2,7 +2,6 @@
 //! door); and with it the layout, since every stage that interpolates takes its slots where it is placed.
 
 use super::Builder;
-use crate::enums::{GL_EXP2, GL_LINEAR, GL_SEPARATE_SPECULAR_COLOR, Named};
 use crate::fragment::compare::Func;
 use crate::fragment::program::Fate;
 use crate::fragment::reference::{fog, interpolate, pack};
@@ -10,6 +9,8 @@ use crate::fragment::uniforms::FragFn;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::simd::Stage;
+use crate::state::fog::FogMode;
+use crate::state::lighting::ColorControl;
 use crate::texture::env::combine;
 use crate::texture::env::combine::ColorSource;
 use crate::texture::format::BaseFormat;
@@ -114,7 +115,7 @@ impl Builder<'_> {
     /// Whether the secondary colour is added.
     pub(super) fn color_sum(&mut self) -> bool {
         let light = &self.state.lighting;
-        let separate = light.model.color_control == GL_SEPARATE_SPECULAR_COLOR;
+        let separate = light.model.color_control == ColorControl::SeparateSpecularColor;
         let (on, reason) = match (light.enabled, separate, self.state.fog.color_sum) {
             (true, true, _) => (true, "lighting gives a separate specular colour"),
             (true, false, _) => (false, "lighting gives no separate specular colour: the secondary colour is black"),
@@ -130,7 +131,7 @@ impl Builder<'_> {
         let f = &self.state.fog;
         let general = self.options.general;
         let u = &mut self.program.uniforms;
-        if !f.enabled || (f.mode != GL_LINEAR && f.density == 0.0) {
+        if !f.enabled || (f.mode != FogMode::Linear && f.density == 0.0) {
             let reason = if f.enabled { "the density is 0, so the factor is 1" } else { "GL_FOG is off" };
             self.decide("fog", if general { Fate::Kept } else { Fate::LeftOut }, reason);
             // Density 0 gives the factor 1, which leaves every colour as it is.
@@ -139,16 +140,16 @@ impl Builder<'_> {
         u.fog_color = [clamp01(f.color[0]), clamp01(f.color[1]), clamp01(f.color[2])];
         u.fog_scale = f.density;
         u.fog_end = f.end;
-        self.decide("fog", Fate::Kept, format_args!("{} for every fragment", Named(f.mode)));
+        self.decide("fog", Fate::Kept, format_args!("{} for every fragment", f.mode.name()));
         let u = &mut self.program.uniforms;
         Some(match f.mode {
-            GL_LINEAR if f.end == f.start => &fog::FOG_STEP,
-            GL_LINEAR => {
+            FogMode::Linear if f.end == f.start => &fog::FOG_STEP,
+            FogMode::Linear => {
                 u.fog_scale = (1.0 / (f64::from(f.end) - f64::from(f.start))) as f32;
                 &fog::FOG_LINEAR
             }
-            GL_EXP2 => &fog::FOG_EXP2,
-            _ => &fog::FOG_EXP,
+            FogMode::Exp2 => &fog::FOG_EXP2,
+            FogMode::Exp => &fog::FOG_EXP,
         })
     }
 

@@ -9,12 +9,10 @@ mod texturing;
 
 use store::Blending;
 
-use crate::enums::{GL_NONE, GL_NOOP};
 use crate::fragment::compare::Func;
 use crate::fragment::planes::Layout;
 use crate::fragment::program::{Action, Decision, Fate, Options, Program};
 use crate::fragment::reference::interpolate::FIRST;
-use crate::fragment::reference::stencil::StencilOp;
 use crate::fragment::reference::{alpha, depth, env_pack, stencil, texcoord};
 use crate::fragment::span::{self, long, short};
 use crate::fragment::uniforms::{FragFn, FragUniforms, StencilUniforms};
@@ -23,6 +21,8 @@ use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::simd::{Level, Stage, Step};
 use crate::state::State;
+use crate::state::color_buffer::{ColorBufferName, LogicOp};
+use crate::state::depth_stencil::StencilOp;
 use crate::texture::lod::RhoRanges;
 use crate::texture::object::TextureObject;
 use crate::texture::whole::Filtered;
@@ -235,9 +235,9 @@ impl Builder<'_> {
     fn masks(&mut self) -> bool {
         let c = &self.state.color_buffer;
         let mask = crate::framebuffer::packed_mask(c.color_mask);
-        let noop = c.logic_op_enabled && c.logic_op == GL_NOOP && !self.format.float;
+        let noop = c.logic_op_enabled && c.logic_op == LogicOp::Noop && !self.format.float;
         let u = &mut self.program.uniforms;
-        u.color_mask = if c.draw_buffer == GL_NONE || noop { 0 } else { mask };
+        u.color_mask = if c.draw_buffer == ColorBufferName::None || noop { 0 } else { mask };
         u.packed_or = crate::framebuffer::no_alpha_bits(self.format);
         u.depth_max = f64::from(self.format.depth_max());
         (u.scale, u.limit) = if self.format.float { (1.0, f32::MAX) } else { (255.0, 255.0) };
@@ -255,7 +255,7 @@ impl Builder<'_> {
         let depth_write = depth_on && d.mask && depth != Func::Never;
         let stencil_on = s.test && self.format.stencil_bits != 0;
         let func = if stencil_on { s.func } else { Func::Always };
-        let op = |on: bool, value| if stencil_on && on { StencilOp::from_enum(value) } else { StencilOp::Keep };
+        let op = |on: bool, value| if stencil_on && on { value } else { StencilOp::Keep };
         let stencil = StencilUniforms {
             reference: s.reference.clamp(0, 255).cast_unsigned(),
             value_mask: s.value_mask & 0xFF,

@@ -1,12 +1,12 @@
 //! The end of a program: blending, logic op, colour mask and the store.
 
 use super::Builder;
-use crate::enums::{GL_CLEAR, GL_COPY, GL_SET, Named};
 use crate::fragment::program::{Action, Fate};
-use crate::fragment::reference::blend::{BLEND, BLEND_PACKED, BLEND_STORE, Equation, Factor, packed_pair};
+use crate::fragment::reference::blend::{BLEND, BLEND_PACKED, BLEND_STORE, packed_pair};
 use crate::fragment::reference::{env_pack, float_store, logic_op, pack};
 use crate::fragment::uniforms::BlendUniforms;
 use crate::num::clamp01;
+use crate::state::color_buffer::{BlendEquation, BlendFactor, LogicOp};
 
 /// How a program blends.
 #[derive(Clone, Copy)]
@@ -23,19 +23,19 @@ impl Builder<'_> {
         let general = self.options.general;
         let c = &self.state.color_buffer;
         let blend = BlendUniforms {
-            src: c.blend_src.map(Factor::from_enum),
-            dst: c.blend_dst.map(Factor::from_enum),
-            equation: Equation::from_enum(c.blend_equation),
+            src: c.blend_src,
+            dst: c.blend_dst,
+            equation: c.blend_equation,
             color: c.blend_color.map(clamp01),
         };
-        let off = BlendUniforms { src: [Factor::One; 2], dst: [Factor::Zero; 2], ..BlendUniforms::default() };
-        let copies = blend.equation == Equation::Add && blend.src == off.src && blend.dst == off.dst;
+        let off = BlendUniforms { src: [BlendFactor::One; 2], dst: [BlendFactor::Zero; 2], ..BlendUniforms::default() };
+        let copies = blend.equation == BlendEquation::Add && blend.src == off.src && blend.dst == off.dst;
         let reason = match (c.blend, c.logic_op_enabled && !self.format.float, copies) {
             (false, ..) => "GL_BLEND is off",
             (_, true, _) => "a logic op takes its place",
             (.., true) => "ONE, ZERO gives the fragment's colour: the framebuffer is not read",
             _ => {
-                let [src, dst] = [c.blend_src[0], c.blend_dst[0]].map(Named);
+                let [src, dst] = [c.blend_src[0], c.blend_dst[0]].map(BlendFactor::name);
                 self.program.uniforms.blend = blend;
                 self.program.reads_framebuffer = true;
                 self.decide("blending", Fate::Kept, format_args!("factors {src}, {dst}"));
@@ -48,27 +48,26 @@ impl Builder<'_> {
         general.then_some(Blending::Any)
     }
 
-    /// The logic op's number.
-    pub(super) fn logic_op(&mut self) -> Option<u32> {
+    /// Which logic op there is.
+    pub(super) fn logic_op(&mut self) -> Option<LogicOp> {
         let c = &self.state.color_buffer;
         let general = self.options.general && !self.format.float;
-        let on = c.logic_op_enabled && (GL_CLEAR..=GL_SET).contains(&c.logic_op);
-        let reason = match (on, self.format.float, c.logic_op == GL_COPY) {
+        let reason = match (c.logic_op_enabled, self.format.float, c.logic_op == LogicOp::Copy) {
             (false, ..) => "GL_COLOR_LOGIC_OP is off",
             (_, true, _) => "floats have no bits to combine",
             (.., true) => "GL_COPY stores the fragment's colour",
             _ => {
-                self.decide("logic op", Fate::Kept, format_args!("operation {}", Named(c.logic_op)));
+                self.decide("logic op", Fate::Kept, format_args!("operation {}", c.logic_op.name()));
                 self.program.reads_framebuffer = true;
-                return Some(c.logic_op - GL_CLEAR);
+                return Some(c.logic_op);
             }
         };
         self.decide("logic op", if general { Fate::Kept } else { Fate::LeftOut }, reason);
-        general.then_some(GL_COPY - GL_CLEAR)
+        general.then_some(LogicOp::Copy)
     }
 
     /// Blending, logic op, mask and store.
-    pub(super) fn store(&mut self, packed: bool, blend: Option<Blending>, logic_op: Option<u32>) {
+    pub(super) fn store(&mut self, packed: bool, blend: Option<Blending>, logic_op: Option<LogicOp>) {
         let masked = self.program.uniforms.color_mask != u32::MAX;
         if masked {
             self.program.reads_framebuffer = true;
@@ -118,7 +117,7 @@ impl Builder<'_> {
             None => {}
         }
         if let Some(op) = logic_op {
-            self.push(&logic_op::LOGIC_OP, op);
+            self.push(&logic_op::LOGIC_OP, op as u32);
         }
         if masked || self.options.general {
             self.push(&pack::COLOR_MASK, 0);

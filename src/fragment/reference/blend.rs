@@ -6,110 +6,18 @@
 //!   ADD  S s + D d     SUBTRACT  S s - D d     REVERSE_SUBTRACT  D d - S s     MIN, MAX  of S and D, without factors
 //! ```
 
-use crate::enums::*;
 use crate::fragment::batch::FragmentBatch;
 use crate::fragment::reference::pack::whole_pixel;
 use crate::fragment::reference::places::{load, places, store};
 use crate::fragment::uniforms::{BlendUniforms, FragFn, FragUniforms, Work};
 use crate::num::{clamp_f32, clamp01, max_f32, min_f32};
 use crate::simd::{LANES, stage};
+use crate::state::color_buffer::{BlendEquation, BlendFactor};
 use crate::texture::batch::Lanes;
-
-/// A blending factor.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Factor {
-    /// 0.
-    Zero,
-    /// 1.
-    #[default]
-    One,
-    /// The source's channel.
-    SrcColor,
-    /// 1 less the source's channel.
-    OneMinusSrcColor,
-    /// The framebuffer's channel.
-    DstColor,
-    /// 1 less the framebuffer's channel.
-    OneMinusDstColor,
-    /// The source's alpha.
-    SrcAlpha,
-    /// 1 less the source's alpha.
-    OneMinusSrcAlpha,
-    /// The framebuffer's alpha.
-    DstAlpha,
-    /// 1 less the framebuffer's alpha.
-    OneMinusDstAlpha,
-    /// The constant colour's channel.
-    ConstantColor,
-    /// 1 less the constant colour's channel.
-    OneMinusConstantColor,
-    /// The constant colour's alpha.
-    ConstantAlpha,
-    /// 1 less the constant colour's alpha.
-    OneMinusConstantAlpha,
-    /// For RGB the smaller of source alpha and 1 less the framebuffer's alpha, for alpha 1.
-    SrcAlphaSaturate,
-}
-
-const FACTORS: [(GLenum, Factor); 15] = [
-    (GL_ZERO, Factor::Zero),
-    (GL_ONE, Factor::One),
-    (GL_SRC_COLOR, Factor::SrcColor),
-    (GL_ONE_MINUS_SRC_COLOR, Factor::OneMinusSrcColor),
-    (GL_DST_COLOR, Factor::DstColor),
-    (GL_ONE_MINUS_DST_COLOR, Factor::OneMinusDstColor),
-    (GL_SRC_ALPHA, Factor::SrcAlpha),
-    (GL_ONE_MINUS_SRC_ALPHA, Factor::OneMinusSrcAlpha),
-    (GL_DST_ALPHA, Factor::DstAlpha),
-    (GL_ONE_MINUS_DST_ALPHA, Factor::OneMinusDstAlpha),
-    (GL_CONSTANT_COLOR, Factor::ConstantColor),
-    (GL_ONE_MINUS_CONSTANT_COLOR, Factor::OneMinusConstantColor),
-    (GL_CONSTANT_ALPHA, Factor::ConstantAlpha),
-    (GL_ONE_MINUS_CONSTANT_ALPHA, Factor::OneMinusConstantAlpha),
-    (GL_SRC_ALPHA_SATURATE, Factor::SrcAlphaSaturate),
-];
-
-impl Factor {
-    /// The factor of an enumerant; ONE for what is none (the commands let no such value into the state).
-    #[must_use]
-    pub fn from_enum(value: GLenum) -> Self {
-        FACTORS.iter().find(|row| row.0 == value).map_or(Self::One, |row| row.1)
-    }
-}
-
-/// How source and framebuffer are put together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Equation {
-    /// The sum of the products.
-    #[default]
-    Add,
-    /// The source's product less the framebuffer's.
-    Subtract,
-    /// The framebuffer's product less the source's.
-    ReverseSubtract,
-    /// The smaller of the two colours.
-    Min,
-    /// The larger of the two colours.
-    Max,
-}
-
-impl Equation {
-    /// The equation of an enumerant; ADD for what is none (the commands let no such value into the state).
-    #[must_use]
-    pub fn from_enum(value: GLenum) -> Self {
-        match value {
-            GL_FUNC_SUBTRACT => Self::Subtract,
-            GL_FUNC_REVERSE_SUBTRACT => Self::ReverseSubtract,
-            GL_MIN => Self::Min,
-            GL_MAX => Self::Max,
-            _ => Self::Add,
-        }
-    }
-}
 
 /// The factor of channel `c` for all lanes.
 #[inline(always)]
-fn factor(f: Factor, c: usize, b: &FragmentBatch, u: &FragUniforms) -> Lanes {
+fn factor(f: BlendFactor, c: usize, b: &FragmentBatch, u: &FragUniforms) -> Lanes {
     // From the store's unit to [0, 1]: 255 times the rounded 1/255 is exactly 1.
     let unit = 1.0 / u.scale;
     let (src, dst) = (&b.tex.previous, &b.dst);
@@ -122,22 +30,22 @@ fn factor(f: Factor, c: usize, b: &FragmentBatch, u: &FragUniforms) -> Lanes {
         }
     }
     match f {
-        Factor::Zero => {}
-        Factor::One => out = [1.0; LANES],
-        Factor::SrcColor => each(&mut out, |i| clamp01(src[c][i])),
-        Factor::OneMinusSrcColor => each(&mut out, |i| 1.0 - clamp01(src[c][i])),
-        Factor::DstColor => each(&mut out, |i| dst[c][i] * unit),
-        Factor::OneMinusDstColor => each(&mut out, |i| 1.0 - dst[c][i] * unit),
-        Factor::SrcAlpha => each(&mut out, |i| clamp01(src[3][i])),
-        Factor::OneMinusSrcAlpha => each(&mut out, |i| 1.0 - clamp01(src[3][i])),
-        Factor::DstAlpha => each(&mut out, |i| dst[3][i] * unit),
-        Factor::OneMinusDstAlpha => each(&mut out, |i| 1.0 - dst[3][i] * unit),
-        Factor::ConstantColor => out = [constant[c]; LANES],
-        Factor::OneMinusConstantColor => out = [1.0 - constant[c]; LANES],
-        Factor::ConstantAlpha => out = [constant[3]; LANES],
-        Factor::OneMinusConstantAlpha => out = [1.0 - constant[3]; LANES],
-        Factor::SrcAlphaSaturate if c == 3 => out = [1.0; LANES],
-        Factor::SrcAlphaSaturate => each(&mut out, |i| min_f32(clamp01(src[3][i]), 1.0 - dst[3][i] * unit)),
+        BlendFactor::Zero => {}
+        BlendFactor::One => out = [1.0; LANES],
+        BlendFactor::SrcColor => each(&mut out, |i| clamp01(src[c][i])),
+        BlendFactor::OneMinusSrcColor => each(&mut out, |i| 1.0 - clamp01(src[c][i])),
+        BlendFactor::DstColor => each(&mut out, |i| dst[c][i] * unit),
+        BlendFactor::OneMinusDstColor => each(&mut out, |i| 1.0 - dst[c][i] * unit),
+        BlendFactor::SrcAlpha => each(&mut out, |i| clamp01(src[3][i])),
+        BlendFactor::OneMinusSrcAlpha => each(&mut out, |i| 1.0 - clamp01(src[3][i])),
+        BlendFactor::DstAlpha => each(&mut out, |i| dst[3][i] * unit),
+        BlendFactor::OneMinusDstAlpha => each(&mut out, |i| 1.0 - dst[3][i] * unit),
+        BlendFactor::ConstantColor => out = [constant[c]; LANES],
+        BlendFactor::OneMinusConstantColor => out = [1.0 - constant[c]; LANES],
+        BlendFactor::ConstantAlpha => out = [constant[3]; LANES],
+        BlendFactor::OneMinusConstantAlpha => out = [1.0 - constant[3]; LANES],
+        BlendFactor::SrcAlphaSaturate if c == 3 => out = [1.0; LANES],
+        BlendFactor::SrcAlphaSaturate => each(&mut out, |i| min_f32(clamp01(src[3][i]), 1.0 - dst[3][i] * unit)),
     }
     out
 }
@@ -203,15 +111,17 @@ stage! {
         for c in 0..4 {
             let half = usize::from(c == 3);
             match u.blend.equation {
-                Equation::Min => combine(b, u, c, |s, d, _| min_f32(s, d)),
-                Equation::Max => combine(b, u, c, |s, d, _| max_f32(s, d)),
+                BlendEquation::Min => combine(b, u, c, |s, d, _| min_f32(s, d)),
+                BlendEquation::Max => combine(b, u, c, |s, d, _| max_f32(s, d)),
                 equation => {
                     let s_factor = factor(u.blend.src[half], c, b, u);
                     let d_factor = factor(u.blend.dst[half], c, b, u);
                     match equation {
-                        Equation::Subtract => combine(b, u, c, |s, d, i| s * s_factor[i] - d * d_factor[i]),
-                        Equation::ReverseSubtract => combine(b, u, c, |s, d, i| d * d_factor[i] - s * s_factor[i]),
-                        _ => combine(b, u, c, |s, d, i| s * s_factor[i] + d * d_factor[i]),
+                        BlendEquation::Subtract => combine(b, u, c, |s, d, i| s * s_factor[i] - d * d_factor[i]),
+                        BlendEquation::ReverseSubtract => combine(b, u, c, |s, d, i| d * d_factor[i] - s * s_factor[i]),
+                        BlendEquation::Add | BlendEquation::Min | BlendEquation::Max => {
+                            combine(b, u, c, |s, d, i| s * s_factor[i] + d * d_factor[i]);
+                        }
                     }
                 }
             }
@@ -234,18 +144,18 @@ stage! {
 }
 
 /// The pairs of factors that [`BLEND_PACKED`] knows.
-const PACKED_PAIRS: [(Factor, Factor); 6] = [
-    (Factor::SrcAlpha, Factor::OneMinusSrcAlpha),
-    (Factor::One, Factor::OneMinusSrcAlpha),
-    (Factor::SrcAlpha, Factor::One),
-    (Factor::One, Factor::One),
-    (Factor::DstColor, Factor::Zero),
-    (Factor::Zero, Factor::SrcColor),
+const PACKED_PAIRS: [(BlendFactor, BlendFactor); 6] = [
+    (BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha),
+    (BlendFactor::One, BlendFactor::OneMinusSrcAlpha),
+    (BlendFactor::SrcAlpha, BlendFactor::One),
+    (BlendFactor::One, BlendFactor::One),
+    (BlendFactor::DstColor, BlendFactor::Zero),
+    (BlendFactor::Zero, BlendFactor::SrcColor),
 ];
 
 /// The number of [`BLEND_PACKED`] that does this blending, if there is one.
 pub(crate) fn packed_pair(blend: &BlendUniforms) -> Option<u32> {
-    let same = blend.src[0] == blend.src[1] && blend.dst[0] == blend.dst[1] && blend.equation == Equation::Add;
+    let same = blend.src[0] == blend.src[1] && blend.dst[0] == blend.dst[1] && blend.equation == BlendEquation::Add;
     let at = PACKED_PAIRS.iter().position(|pair| *pair == (blend.src[0], blend.dst[0]))?;
     same.then_some(at as u32)
 }

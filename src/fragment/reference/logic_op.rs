@@ -6,7 +6,7 @@ use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
 
 stage! {
-    /// The operation whose enumerant is GL_CLEAR plus the stage's number.
+    /// The logic op of the stage's number.
     pub(crate) fn LOGIC_OP: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         // Bit 0 of the operation's number is what (s, d) = (1, 1) gives, bit 1 (1, 0), bit 2 (0, 1), bit 3 (0, 0): GL
         // has numbered the operations by their truth tables.

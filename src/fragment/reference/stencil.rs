@@ -2,52 +2,13 @@
 //! between them: `STENCIL_TEST` compares and notes who failed, `STENCIL_WRITE` applies the operations of the three
 //! cases (stencil failed, depth failed, both passed) and writes the bits that the mask lets through.
 
-use crate::enums::{GL_DECR, GL_DECR_WRAP, GL_INCR, GL_INCR_WRAP, GL_INVERT, GL_REPLACE, GL_ZERO, GLenum};
 use crate::fragment::batch::FragmentBatch;
 use crate::fragment::compare::{Func, any, compare};
 use crate::fragment::reference::lanes::{Lane, ones};
 use crate::fragment::reference::places::{load, places, store};
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
-
-/// What happens to a stencil value.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum StencilOp {
-    /// It stays.
-    #[default]
-    Keep,
-    /// It becomes 0.
-    Zero,
-    /// It becomes the reference value.
-    Replace,
-    /// One more, at most the largest value.
-    Incr,
-    /// One less, at least 0.
-    Decr,
-    /// All bits change.
-    Invert,
-    /// One more, 0 after the largest value.
-    IncrWrap,
-    /// One less, the largest value after 0.
-    DecrWrap,
-}
-
-impl StencilOp {
-    /// The operation of an enumerant; KEEP for what is none (the commands let no such value into the state).
-    #[must_use]
-    pub fn from_enum(value: GLenum) -> Self {
-        match value {
-            GL_ZERO => Self::Zero,
-            GL_REPLACE => Self::Replace,
-            GL_INCR => Self::Incr,
-            GL_DECR => Self::Decr,
-            GL_INVERT => Self::Invert,
-            GL_INCR_WRAP => Self::IncrWrap,
-            GL_DECR_WRAP => Self::DecrWrap,
-            _ => Self::Keep,
-        }
-    }
-}
+use crate::state::depth_stencil::StencilOp;
 
 /// Applies an operation to the lanes of a mask.
 #[inline(always)]

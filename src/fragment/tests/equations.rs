@@ -1,12 +1,14 @@
 //! Each stage against its equation, evaluated in f64 or in integers straight from the specification.
 
-use super::{FACTORS, Feed, Random, Scene, draw, flat, pixel, program};
-use crate::enums::*;
+use super::{Feed, Random, Scene, draw, flat, pixel, program};
 use crate::fragment::program::{Fate, Options};
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;
+use crate::state::color_buffer::{BlendEquation, BlendFactor, LogicOp};
 use crate::state::compare::CompareFunc;
+use crate::state::depth_stencil::StencilOp;
+use crate::state::fog::FogMode;
 
 /// An operation on two bytes.
 type Bytes = fn(u8, u8) -> u8;
@@ -32,25 +34,24 @@ fn one(state: &State, src: [f64; 4], z: f64, dst: [u8; 4], depth: u32, stencil: 
 }
 
 /// A factor of channel c by the specification's table 4.1 and 4.2, in f64.
-fn factor(name: GLenum, c: usize, s: [f64; 4], d: [f64; 4], k: [f64; 4]) -> f64 {
+fn factor(name: BlendFactor, c: usize, s: [f64; 4], d: [f64; 4], k: [f64; 4]) -> f64 {
     match name {
-        GL_ZERO => 0.0,
-        GL_ONE => 1.0,
-        GL_SRC_COLOR => s[c],
-        GL_ONE_MINUS_SRC_COLOR => 1.0 - s[c],
-        GL_DST_COLOR => d[c],
-        GL_ONE_MINUS_DST_COLOR => 1.0 - d[c],
-        GL_SRC_ALPHA => s[3],
-        GL_ONE_MINUS_SRC_ALPHA => 1.0 - s[3],
-        GL_DST_ALPHA => d[3],
-        GL_ONE_MINUS_DST_ALPHA => 1.0 - d[3],
-        GL_CONSTANT_COLOR => k[c],
-        GL_ONE_MINUS_CONSTANT_COLOR => 1.0 - k[c],
-        GL_CONSTANT_ALPHA => k[3],
-        GL_ONE_MINUS_CONSTANT_ALPHA => 1.0 - k[3],
-        GL_SRC_ALPHA_SATURATE if c == 3 => 1.0,
-        GL_SRC_ALPHA_SATURATE => s[3].min(1.0 - d[3]),
-        _ => unreachable!("no factor"),
+        BlendFactor::Zero => 0.0,
+        BlendFactor::One => 1.0,
+        BlendFactor::SrcColor => s[c],
+        BlendFactor::OneMinusSrcColor => 1.0 - s[c],
+        BlendFactor::DstColor => d[c],
+        BlendFactor::OneMinusDstColor => 1.0 - d[c],
+        BlendFactor::SrcAlpha => s[3],
+        BlendFactor::OneMinusSrcAlpha => 1.0 - s[3],
+        BlendFactor::DstAlpha => d[3],
+        BlendFactor::OneMinusDstAlpha => 1.0 - d[3],
+        BlendFactor::ConstantColor => k[c],
+        BlendFactor::OneMinusConstantColor => 1.0 - k[c],
+        BlendFactor::ConstantAlpha => k[3],
+        BlendFactor::OneMinusConstantAlpha => 1.0 - k[3],
+        BlendFactor::SrcAlphaSaturate if c == 3 => 1.0,
+        BlendFactor::SrcAlphaSaturate => s[3].min(1.0 - d[3]),
     }
 }
 
@@ -59,10 +60,10 @@ fn blending_is_the_equation() {
     let mut r = Random::new(3);
     let mut state = State::default();
     state.color_buffer.blend = true;
-    for equation in [GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX] {
-        for sf in FACTORS {
-            for df in FACTORS {
-                let (sa, da) = (r.pick(&FACTORS), r.pick(&FACTORS));
+    for equation in BlendEquation::ALL {
+        for sf in BlendFactor::ALL {
+            for df in BlendFactor::ALL {
+                let (sa, da) = (r.pick(&BlendFactor::ALL), r.pick(&BlendFactor::ALL));
                 let (sa, da) = if r.bool() { (sf, df) } else { (sa, da) };
                 let dst: [u8; 4] = std::array::from_fn(|_| r.below(256) as u8);
                 let src: [f64; 4] = std::array::from_fn(|_| f64::from(r.unit() as f32));
@@ -75,15 +76,15 @@ fn blending_is_the_equation() {
                     let (sn, dn) = if c == 3 { (sa, da) } else { (sf, df) };
                     let (s, t) = (src[c] * factor(sn, c, src, d, k), d[c] * factor(dn, c, src, d, k));
                     let want = match equation {
-                        GL_FUNC_ADD => s + t,
-                        GL_FUNC_SUBTRACT => s - t,
-                        GL_FUNC_REVERSE_SUBTRACT => t - s,
-                        GL_MIN => src[c].min(d[c]),
-                        _ => src[c].max(d[c]),
+                        BlendEquation::Add => s + t,
+                        BlendEquation::Subtract => s - t,
+                        BlendEquation::ReverseSubtract => t - s,
+                        BlendEquation::Min => src[c].min(d[c]),
+                        BlendEquation::Max => src[c].max(d[c]),
                     };
                     let want = want.clamp(0.0, 1.0) * 255.0;
                     let error = (f64::from(got[c]) - want).abs();
-                    assert!(error <= 0.5001, "{} {} {}: {} for {want}", name(equation), name(sf), name(df), got[c]);
+                    assert!(error <= 0.5001, "{equation:?} {sf:?} {df:?}: {} for {want}", got[c]);
                 }
             }
         }
@@ -101,13 +102,17 @@ fn blending_is_exact_at_its_ends() {
     for value in 0..=255u8 {
         let v = f64::from(f32::from(value) / 255.0);
         let dst = [value, 255 - value, 7, value];
-        let alpha = set(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        let alpha = set(BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha);
         assert_eq!(one(&alpha, [v, v, v, 1.0], 0.0, dst, 0, 0).0, [value, value, value, 255], "opaque");
         assert_eq!(one(&alpha, [0.3, 0.7, 1.0, 0.0], 0.0, dst, 0, 0).0, dst, "transparent");
-        assert_eq!(one(&set(GL_DST_COLOR, GL_ZERO), [1.0; 4], 0.0, dst, 0, 0).0, dst, "times white");
-        assert_eq!(one(&set(GL_ZERO, GL_SRC_COLOR), [1.0; 4], 0.0, dst, 0, 0).0, dst, "times white");
-        assert_eq!(one(&set(GL_ONE, GL_ONE), [0.0; 4], 0.0, dst, 0, 0).0, dst, "plus black");
-        assert_eq!(one(&set(GL_ONE_MINUS_DST_COLOR, GL_ONE), [1.0; 4], 0.0, dst, 0, 0).0, [255; 4], "screen");
+        assert_eq!(one(&set(BlendFactor::DstColor, BlendFactor::Zero), [1.0; 4], 0.0, dst, 0, 0).0, dst, "times white");
+        assert_eq!(one(&set(BlendFactor::Zero, BlendFactor::SrcColor), [1.0; 4], 0.0, dst, 0, 0).0, dst, "times white");
+        assert_eq!(one(&set(BlendFactor::One, BlendFactor::One), [0.0; 4], 0.0, dst, 0, 0).0, dst, "plus black");
+        assert_eq!(
+            one(&set(BlendFactor::OneMinusDstColor, BlendFactor::One), [1.0; 4], 0.0, dst, 0, 0).0,
+            [255; 4],
+            "screen"
+        );
     }
 }
 
@@ -172,15 +177,15 @@ fn the_depth_test_compares_and_writes() {
 
 #[test]
 fn stencil_operations_are_those_of_the_three_cases() {
-    let ops: [(GLenum, Bytes); 8] = [
-        (GL_KEEP, |s, _| s),
-        (GL_ZERO, |_, _| 0),
-        (GL_REPLACE, |_, r| r),
-        (GL_INCR, |s, _| s.saturating_add(1)),
-        (GL_DECR, |s, _| s.saturating_sub(1)),
-        (GL_INVERT, |s, _| !s),
-        (GL_INCR_WRAP, |s, _| s.wrapping_add(1)),
-        (GL_DECR_WRAP, |s, _| s.wrapping_sub(1)),
+    let ops: [(StencilOp, Bytes); 8] = [
+        (StencilOp::Keep, |s, _| s),
+        (StencilOp::Zero, |_, _| 0),
+        (StencilOp::Replace, |_, r| r),
+        (StencilOp::Incr, |s, _| s.saturating_add(1)),
+        (StencilOp::Decr, |s, _| s.saturating_sub(1)),
+        (StencilOp::Invert, |s, _| !s),
+        (StencilOp::IncrWrap, |s, _| s.wrapping_add(1)),
+        (StencilOp::DecrWrap, |s, _| s.wrapping_sub(1)),
     ];
     let mut r = Random::new(9);
     for (op, f) in ops {
@@ -196,7 +201,7 @@ fn stencil_operations_are_those_of_the_three_cases() {
                 *[&mut st.fail, &mut st.depth_fail, &mut st.depth_pass][case] = op;
                 let mask = st.write_mask as u8;
                 let (c, d, got) = one(&state, [1.0; 4], 50.0, [0; 4], 100, s);
-                assert_eq!(got, (f(s, 0x35) & mask) | (s & !mask), "{} of {s}, case {case}", name(op));
+                assert_eq!(got, (f(s, 0x35) & mask) | (s & !mask), "{op:?} of {s}, case {case}");
                 assert_eq!((c, d), if case == 2 { ([255; 4], 50) } else { ([0; 4], 100) });
             }
         }
@@ -220,23 +225,23 @@ fn the_alpha_test_looks_at_bytes() {
 
 #[test]
 fn logic_operations_are_those_of_the_table() {
-    let ops: [(GLenum, Bytes); 16] = [
-        (GL_CLEAR, |_, _| 0),
-        (GL_AND, |s, d| s & d),
-        (GL_AND_REVERSE, |s, d| s & !d),
-        (GL_COPY, |s, _| s),
-        (GL_AND_INVERTED, |s, d| !s & d),
-        (GL_NOOP, |_, d| d),
-        (GL_XOR, |s, d| s ^ d),
-        (GL_OR, |s, d| s | d),
-        (GL_NOR, |s, d| !(s | d)),
-        (GL_EQUIV, |s, d| !(s ^ d)),
-        (GL_INVERT, |_, d| !d),
-        (GL_OR_REVERSE, |s, d| s | !d),
-        (GL_COPY_INVERTED, |s, _| !s),
-        (GL_OR_INVERTED, |s, d| !s | d),
-        (GL_NAND, |s, d| !(s & d)),
-        (GL_SET, |_, _| 255),
+    let ops: [(LogicOp, Bytes); 16] = [
+        (LogicOp::Clear, |_, _| 0),
+        (LogicOp::And, |s, d| s & d),
+        (LogicOp::AndReverse, |s, d| s & !d),
+        (LogicOp::Copy, |s, _| s),
+        (LogicOp::AndInverted, |s, d| !s & d),
+        (LogicOp::Noop, |_, d| d),
+        (LogicOp::Xor, |s, d| s ^ d),
+        (LogicOp::Or, |s, d| s | d),
+        (LogicOp::Nor, |s, d| !(s | d)),
+        (LogicOp::Equiv, |s, d| !(s ^ d)),
+        (LogicOp::Invert, |_, d| !d),
+        (LogicOp::OrReverse, |s, d| s | !d),
+        (LogicOp::CopyInverted, |s, _| !s),
+        (LogicOp::OrInverted, |s, d| !s | d),
+        (LogicOp::Nand, |s, d| !(s & d)),
+        (LogicOp::Set, |_, _| 255),
     ];
     let mut state = State::default();
     (state.color_buffer.logic_op_enabled, state.color_buffer.blend) = (true, true);
@@ -244,7 +249,7 @@ fn logic_operations_are_those_of_the_table() {
         state.color_buffer.logic_op = op;
         let (src, dst) = ([0x3Cu8, 0x0F, 0xFF, 0x5A], [0x55u8, 0xAA, 0x33, 0xC3]);
         let got = one(&state, src.map(|b| f64::from(f32::from(b) / 255.0)), 0.0, dst, 0, 0).0;
-        assert_eq!(got, std::array::from_fn(|c| f(src[c], dst[c])), "{}", name(op));
+        assert_eq!(got, std::array::from_fn(|c| f(src[c], dst[c])), "{op:?}");
     }
 }
 
@@ -252,7 +257,7 @@ fn logic_operations_are_those_of_the_table() {
 fn fog_is_the_equation() {
     let mut r = Random::new(21);
     let format = FramebufferFormat { float: true, ..FramebufferFormat::default() };
-    for mode in [GL_EXP, GL_EXP2, GL_LINEAR] {
+    for mode in FogMode::ALL {
         for _ in 0..100 {
             let mut state = State::default();
             state.fog.enabled = true;
@@ -269,15 +274,15 @@ fn fog_is_the_equation() {
             draw(&p, &scene, &mut f, Feed::Rows, &[(0, [0, 0, 1, 1])]);
             let (d, s, e) = (f64::from(state.fog.density), f64::from(state.fog.start), f64::from(state.fog.end));
             let factor = match mode {
-                GL_EXP => (-d * c).exp(),
-                GL_EXP2 => (-(d * c) * (d * c)).exp(),
+                FogMode::Exp => (-d * c).exp(),
+                FogMode::Exp2 => (-(d * c) * (d * c)).exp(),
                 _ => (e - c) / (e - s),
             }
             .clamp(0.0, 1.0);
             let got = pixel(&f, 0, 0);
             for (k, (color, fog)) in [(0.9, 0.1), (0.2, 0.5), (0.4, 0.9)].into_iter().enumerate() {
                 let want = factor * color + (1.0 - factor) * fog;
-                assert!((f64::from(got[k]) - want).abs() < 1e-6, "{} {c}: {} for {want}", name(mode), got[k]);
+                assert!((f64::from(got[k]) - want).abs() < 1e-6, "{mode:?} {c}: {} for {want}", got[k]);
             }
             assert_eq!(got[3], 0.6, "alpha has no fog");
         }
@@ -337,7 +342,7 @@ fn a_pixel_weighs_more_with_every_thing_that_is_done_to_it() {
         weigh(|state| state.depth.test = false, &varied),
         weigh(|state| state.depth.test = true, &varied),
         weigh(|state| state.color_buffer.blend = true, &varied),
-        weigh(|state| state.color_buffer.blend_dst = [GL_ONE; 2], &varied),
+        weigh(|state| state.color_buffer.blend_dst = [BlendFactor::One; 2], &varied),
     ];
     assert_eq!(weights, [1, 3, 4, 6, 6, 32]);
 }
@@ -375,7 +380,8 @@ fn a_program_says_what_it_does() {
     // Almost is not enough: factors that are not ONE, ZERO are kept whatever the alphas may be.
     let mut state = State::default();
     state.color_buffer.blend = true;
-    (state.color_buffer.blend_src, state.color_buffer.blend_dst) = ([GL_SRC_ALPHA; 2], [GL_ONE_MINUS_SRC_ALPHA; 2]);
+    (state.color_buffer.blend_src, state.color_buffer.blend_dst) =
+        ([BlendFactor::SrcAlpha; 2], [BlendFactor::OneMinusSrcAlpha; 2]);
     assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "blending"), Some(Fate::Kept));
     (state.fog.enabled, state.fog.density) = (true, 1e-30);
     assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "fog"), Some(Fate::Kept));

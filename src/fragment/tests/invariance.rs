@@ -1,15 +1,16 @@
 //! The same bytes whatever is left out, however the fragments come, at every level; and no panic whatever comes.
 
-use super::{FACTORS, Feed, Random, Scene, contents, draw, program};
-use crate::enums::*;
+use super::{Feed, Random, Scene, contents, draw, program};
 use crate::fragment::planes::{Linear, Plane, Planes};
 use crate::fragment::program::Options;
 use crate::framebuffer::{Clear, Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;
+use crate::state::color_buffer::{BlendEquation, BlendFactor, LogicOp};
 use crate::state::compare::CompareFunc;
-
-const OPS: [GLenum; 8] = [GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP];
+use crate::state::depth_stencil::StencilOp;
+use crate::state::fog::FogMode;
+use crate::state::lighting::ColorControl;
 
 /// A random state of everything after interpolation.
 fn state(r: &mut Random) -> State {
@@ -22,44 +23,45 @@ fn state(r: &mut Random) -> State {
     s.stencil.reference = r.below(300) as i32 - 20;
     s.stencil.value_mask = r.pick(&[u32::MAX, 0x0F]);
     s.stencil.write_mask = r.pick(&[u32::MAX, 0xF0, 0]);
-    (s.stencil.fail, s.stencil.depth_fail, s.stencil.depth_pass) = (r.pick(&OPS), r.pick(&OPS), r.pick(&OPS));
+    (s.stencil.fail, s.stencil.depth_fail, s.stencil.depth_pass) =
+        (r.pick(&StencilOp::ALL), r.pick(&StencilOp::ALL), r.pick(&StencilOp::ALL));
     let c = &mut s.color_buffer;
     c.alpha_test = r.below(3) == 0;
     c.alpha_func = r.pick(&CompareFunc::ALL);
     c.alpha_ref = r.unit() as f32;
     c.blend = r.bool();
     let (src, dst) = match r.below(3) {
-        0 => (GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA),
+        0 => (BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha),
         1 => r.pick(&[
-            (GL_ONE, GL_ONE),
-            (GL_ONE, GL_ZERO),
-            (GL_SRC_ALPHA, GL_ONE),
-            (GL_ONE, GL_ONE_MINUS_SRC_ALPHA),
-            (GL_DST_COLOR, GL_ZERO),
-            (GL_ZERO, GL_SRC_COLOR),
+            (BlendFactor::One, BlendFactor::One),
+            (BlendFactor::One, BlendFactor::Zero),
+            (BlendFactor::SrcAlpha, BlendFactor::One),
+            (BlendFactor::One, BlendFactor::OneMinusSrcAlpha),
+            (BlendFactor::DstColor, BlendFactor::Zero),
+            (BlendFactor::Zero, BlendFactor::SrcColor),
         ]),
-        _ => (r.pick(&FACTORS), r.pick(&FACTORS)),
+        _ => (r.pick(&BlendFactor::ALL), r.pick(&BlendFactor::ALL)),
     };
     (c.blend_src, c.blend_dst) = ([src; 2], [dst; 2]);
     if r.below(8) == 0 {
-        (c.blend_src[1], c.blend_dst[1]) = (r.pick(&FACTORS), r.pick(&FACTORS));
+        (c.blend_src[1], c.blend_dst[1]) = (r.pick(&BlendFactor::ALL), r.pick(&BlendFactor::ALL));
     }
     c.blend_equation = match r.below(3) {
-        0 => r.pick(&[GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX]),
-        _ => GL_FUNC_ADD,
+        0 => r.pick(&[BlendEquation::Subtract, BlendEquation::ReverseSubtract, BlendEquation::Min, BlendEquation::Max]),
+        _ => BlendEquation::Add,
     };
     c.blend_color = std::array::from_fn(|_| r.unit() as f32);
     c.logic_op_enabled = r.below(6) == 0;
-    c.logic_op = GL_CLEAR + r.below(16) as u32;
+    c.logic_op = LogicOp::ALL[r.below(16) as usize];
     c.color_mask = if r.below(3) == 0 { std::array::from_fn(|_| r.bool()) } else { [true; 4] };
     s.fog.enabled = r.below(3) == 0;
-    s.fog.mode = r.pick(&[GL_LINEAR, GL_EXP, GL_EXP2]);
+    s.fog.mode = r.pick(&[FogMode::Linear, FogMode::Exp, FogMode::Exp2]);
     s.fog.density = r.pick(&[0.0, 0.3, 2.0]);
     (s.fog.start, s.fog.end) = r.pick(&[(0.0, 1.0), (0.7, 0.7), (3.0, 1.0)]);
     s.fog.color = std::array::from_fn(|_| r.unit() as f32);
     s.fog.color_sum = r.below(4) == 0;
     s.lighting.enabled = r.below(4) == 0;
-    s.lighting.model.color_control = r.pick(&[GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR]);
+    s.lighting.model.color_control = r.pick(&[ColorControl::SingleColor, ColorControl::SeparateSpecularColor]);
     s
 }
 
@@ -241,7 +243,8 @@ fn coarse_depths_change_no_bit() {
             (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (CompareFunc::Greater, 0.5);
             // With blending there is no stage that fills.
             state.color_buffer.blend = r.bool();
-            (state.color_buffer.blend_src, state.color_buffer.blend_dst) = ([GL_DST_COLOR; 2], [GL_SRC_ALPHA; 2]);
+            (state.color_buffer.blend_src, state.color_buffer.blend_dst) =
+                ([BlendFactor::DstColor; 2], [BlendFactor::SrcAlpha; 2]);
             let (x, y) = (r.below(120) as u32, r.below(8) as u32);
             let rects = [(prim, [x, y, 80 - r.below(40) as u32, 1 + r.below(4) as u32]), (prim, [0, 11, 200, 1])];
             for (general, frame) in [true, false].into_iter().zip(&mut frames) {

@@ -6,32 +6,12 @@ mod interpolation;
 mod invariance;
 mod textured;
 
-use crate::enums::*;
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{Linear, Plane, Planes};
 use crate::fragment::program::{Options, Program};
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
 use crate::simd::{LANES, Level};
 use crate::state::State;
-
-/// Every blend factor.
-const FACTORS: [GLenum; 15] = [
-    GL_ZERO,
-    GL_ONE,
-    GL_SRC_COLOR,
-    GL_ONE_MINUS_SRC_COLOR,
-    GL_DST_COLOR,
-    GL_ONE_MINUS_DST_COLOR,
-    GL_SRC_ALPHA,
-    GL_ONE_MINUS_SRC_ALPHA,
-    GL_DST_ALPHA,
-    GL_ONE_MINUS_DST_ALPHA,
-    GL_CONSTANT_COLOR,
-    GL_ONE_MINUS_CONSTANT_COLOR,
-    GL_CONSTANT_ALPHA,
-    GL_ONE_MINUS_CONSTANT_ALPHA,
-    GL_SRC_ALPHA_SATURATE,
-];
 
 /// A small generator of random numbers, the same everywhere.
 pub(super) struct Random(u64);

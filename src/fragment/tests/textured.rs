@@ -8,7 +8,9 @@ use crate::fragment::program::Program;
 use crate::framebuffer::{Framebuffer, FramebufferFormat};
 use crate::simd::Level;
 use crate::state::State;
+use crate::state::color_buffer::BlendFactor;
 use crate::state::compare::CompareFunc;
+use crate::state::lighting::ColorControl;
 use crate::state::texture::Target;
 use crate::texture::format::InternalFormat;
 use crate::texture::image::{Dimensions, Image, Texels};
@@ -94,8 +96,8 @@ fn textured_programs_leave_out_nothing_that_shows() {
         let mut state = State::default();
         state.depth.test = r.bool();
         state.color_buffer.blend = r.below(3) == 0;
-        state.color_buffer.blend_src = [GL_SRC_ALPHA; 2];
-        state.color_buffer.blend_dst = [GL_ONE_MINUS_SRC_ALPHA; 2];
+        state.color_buffer.blend_src = [BlendFactor::SrcAlpha; 2];
+        state.color_buffer.blend_dst = [BlendFactor::OneMinusSrcAlpha; 2];
         state.color_buffer.alpha_test = r.below(3) == 0;
         (state.color_buffer.alpha_func, state.color_buffer.alpha_ref) = (CompareFunc::Greater, 0.2);
         (state.fog.enabled, state.fog.color_sum) = (r.below(3) == 0, r.below(3) == 0);
@@ -215,7 +217,11 @@ fn whole_runs_give_the_same_bytes_as_batches() {
         state.depth.func = r.pick(&[CompareFunc::Less, CompareFunc::Greater, CompareFunc::Always]);
         state.texture.units[0].env.mode = r.pick(&[GL_REPLACE, GL_MODULATE]);
         state.color_buffer.blend = r.below(3) == 0;
-        let factors = [(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), (GL_SRC_ALPHA, GL_ONE), (GL_DST_COLOR, GL_ZERO)];
+        let factors = [
+            (BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha),
+            (BlendFactor::SrcAlpha, BlendFactor::One),
+            (BlendFactor::DstColor, BlendFactor::Zero),
+        ];
         let (src, dst) = r.pick(&factors);
         (state.color_buffer.blend_src, state.color_buffer.blend_dst) = ([src; 2], [dst; 2]);
         let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
@@ -308,7 +314,7 @@ fn layouts_hold_what_is_needed() {
     assert!(build(&state, 0).layout.units[1].unwrap().has_q, "the texture matrix makes a q");
     state.lighting.enabled = true;
     state.lighting.model.two_side = true;
-    state.lighting.model.color_control = GL_SEPARATE_SPECULAR_COLOR;
+    state.lighting.model.color_control = ColorControl::SeparateSpecularColor;
     let l = build(&state, 0).layout;
     assert_eq!((l.secondary, l.count, l.back, l.stride), (Some(7), 10, Some(10), 17));
 }

@@ -9,11 +9,12 @@ use super::plane_buffer::PlaneBuffer;
 use super::texcoord_planes::{denominator_error, unit_planes};
 use super::weights::{FOUR, FourPlanes, FourPlanesFn, Weights};
 use crate::fragment::planes::{Layout, Plane, PlaneGroup, Planes, UnitSlots};
-use crate::raster::state::{Mode, RasterState};
+use crate::raster::state::RasterState;
 use crate::raster::triangle_batch::TriangleBatch;
 use crate::raster::triangle_batch::corners::MOST_SLOTS;
 use crate::raster::triangle_batch::planes::{BatchState, GroupFn, SET_UP_GROUP, SlotRules, TURN_GROUP, TurnFn};
 use crate::simd::Level;
+use crate::state::raster::PolygonMode;
 
 /// The layout of a draw, prepared for setup.
 #[derive(Clone, Debug)]
@@ -81,7 +82,7 @@ impl SetupPlan {
     /// Takes over a draw. Small triangles can be set up in groups where all are filled and no unit has a q.
     pub fn set_draw(&mut self, layout: &Layout, rs: &RasterState) {
         self.set(layout, rs.flat);
-        let filled = (0..2).all(|face| rs.cull[face] || rs.mode[face] == Mode::Fill) && !rs.smooth[2];
+        let filled = (0..2).all(|face| rs.cull[face] || rs.mode[face] == PolygonMode::Fill) && !rs.smooth[2];
         self.grouped = filled && layout.count <= MOST_SLOTS && !self.units.iter().any(|(_, unit)| unit.has_q);
     }
 

@@ -7,7 +7,7 @@ use super::position::relative_snapped;
 use super::triangle::TriangleInput;
 use crate::raster::coverage::outline::Outline;
 use crate::raster::geometry::{Coverage, SceneGeometry, index};
-use crate::raster::state::Mode;
+use crate::state::raster::PolygonMode;
 
 impl SceneGeometry {
     /// Files a smooth filled triangle.
@@ -16,7 +16,7 @@ impl SceneGeometry {
             return;
         }
         let first = self.pool.len();
-        let planes = self.triangle_planes(cx, t, area, back, Mode::Fill);
+        let planes = self.triangle_planes(cx, t, area, back, PolygonMode::Fill);
         let mut corners = t.v.map(|v| relative_snapped(v.head.snapped, planes.origin));
         if area < 0 {
             corners.swap(1, 2);

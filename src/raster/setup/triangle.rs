@@ -10,8 +10,9 @@ use super::position::{finite, relative, relative_snapped, within_limit};
 use crate::fragment::planes::{Linear, Planes};
 use crate::raster::coverage::edges::{Edges, bounds};
 use crate::raster::geometry::{Coverage, SceneGeometry, index};
-use crate::raster::state::{Mode, Rect};
+use crate::raster::state::Rect;
 use crate::raster::vertex::{Vertex, VertexRef, twice_area};
+use crate::state::raster::PolygonMode;
 
 /// A triangle on its way to being filed.
 pub(crate) struct TriangleInput<'a> {
@@ -54,7 +55,7 @@ fn basis(v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64) -> Basis {
 /// The depth of a triangle in units of the depth buffer, from its snapped positions, with the offset of its mode; and that
 /// offset.
 #[inline]
-fn depth(cx: &SetupContext, v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64, mode: Mode) -> (Linear, f64) {
+fn depth(cx: &SetupContext, v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64, mode: PolygonMode) -> (Linear, f64) {
     let scale = cx.rs.depth_scale;
     let [z0, z1, z2] = v.map(|v| v.window[2] * scale);
     let edge = |i: usize, k: usize| f64::from(v[i].snapped[k] - v[0].snapped[k]) * (1.0 / 256.0);
@@ -99,8 +100,8 @@ impl SceneGeometry {
             return;
         }
         match rs.mode[face] {
-            Mode::Fill if rs.smooth[2] => self.smooth_triangle(cx, t, area, back),
-            Mode::Fill => self.fill(cx, t, p, area, back),
+            PolygonMode::Fill if rs.smooth[2] => self.smooth_triangle(cx, t, area, back),
+            PolygonMode::Fill => self.fill(cx, t, p, area, back),
             mode => self.outline(cx, t, area, back, mode, stipple),
         }
     }
@@ -125,7 +126,7 @@ impl SceneGeometry {
         } else {
             self.edges(&p, rect)
         };
-        let planes = self.triangle_planes(cx, t, area, back, Mode::Fill);
+        let planes = self.triangle_planes(cx, t, area, back, PolygonMode::Fill);
         self.file(cover, cx.draw, planes, pixels);
     }
 
@@ -145,7 +146,7 @@ impl SceneGeometry {
         t: &TriangleInput,
         area: i64,
         back: bool,
-        mode: Mode,
+        mode: PolygonMode,
     ) -> Planes {
         let v = t.v.map(|v| v.head);
         let (origin, det) = (origin(&v), pixels(area));
@@ -161,7 +162,15 @@ impl SceneGeometry {
 
 impl SceneGeometry {
     /// Polygon modes LINE and POINT: the boundary edges as lines, or the vertices that begin them as points.
-    fn outline(&mut self, cx: &SetupContext, t: &TriangleInput, area: i64, back: bool, mode: Mode, stipple: &mut u32) {
+    fn outline(
+        &mut self,
+        cx: &SetupContext,
+        t: &TriangleInput,
+        area: i64,
+        back: bool,
+        mode: PolygonMode,
+        stipple: &mut u32,
+    ) {
         let offset = if area == 0 {
             if cx.rs.offset[mode as usize] { cx.rs.offset_units } else { 0.0 }
         } else {
@@ -177,10 +186,10 @@ impl SceneGeometry {
             let provoking = if cx.rs.flat { t.provoking } else { v.slots };
             match mode {
                 _ if !boundary => {}
-                Mode::Point if cx.rs.viewport.holds(v.head.snapped) => {
+                PolygonMode::Point if cx.rs.viewport.holds(v.head.snapped) => {
                     self.point(cx, &PointInput { v, provoking, back, offset });
                 }
-                Mode::Point => {}
+                PolygonMode::Point => {}
                 _ => self.line(cx, &LineInput { v: [v, next], provoking, back, offset }, stipple),
             }
         }
@@ -206,10 +215,12 @@ pub(crate) fn clip_mask(cx: &SetupContext, bounds: Rect, rect: Rect) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::enums::*;
     use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::raster::vertex::VertexRef;
     use crate::state::State;
+    use crate::state::raster::Face;
+    use crate::state::raster::PolygonMode;
+    use crate::state::raster::Winding;
 
     const CCW: [[f64; 2]; 3] = [[2.0, 2.0], [30.0, 3.0], [4.0, 28.0]];
     const CW: [[f64; 2]; 3] = [[4.0, 28.0], [30.0, 3.0], [2.0, 2.0]];
@@ -225,11 +236,11 @@ mod tests {
         let all = count(|_| {}, CCW);
         assert!(all > 300 && count(|_| {}, CW) == all);
         for (front, face, ccw, cw) in [
-            (GL_CCW, GL_BACK, all, 0),
-            (GL_CCW, GL_FRONT, 0, all),
-            (GL_CW, GL_BACK, 0, all),
-            (GL_CW, GL_FRONT, all, 0),
-            (GL_CCW, GL_FRONT_AND_BACK, 0, 0),
+            (Winding::CounterClockwise, Face::Back, all, 0),
+            (Winding::CounterClockwise, Face::Front, 0, all),
+            (Winding::Clockwise, Face::Back, 0, all),
+            (Winding::Clockwise, Face::Front, all, 0),
+            (Winding::CounterClockwise, Face::FrontAndBack, 0, 0),
         ] {
             let cull = |state: &mut State| {
                 (state.polygon.cull, state.polygon.front_face, state.polygon.cull_face) = (true, front, face);
@@ -255,25 +266,25 @@ mod tests {
 
     #[test]
     fn modes_draw_boundary_edges_and_vertices() {
-        let mode = |mode: u32| move |state: &mut State| state.polygon.mode = [mode; 2];
+        let mode = |mode: PolygonMode| move |state: &mut State| state.polygon.mode = [mode; 2];
         let corners = [[2.5, 2.5], [20.5, 2.5], [2.5, 12.5]];
         let v = corners.map(|[x, y]| vertex(x, y, 0.5, 1.0));
         for (edges, lines, points) in
             [([true; 3], 18 + 18 + 10, 3), ([true, false, true], 18 + 10, 2), ([false; 3], 0, 0)]
         {
-            for (mode, want) in [(mode(GL_LINE), lines), (mode(GL_POINT), points)] {
+            for (mode, want) in [(mode(PolygonMode::Line), lines), (mode(PolygonMode::Point), points)] {
                 let mut canvas = TestCanvas::new(32, 0, 1, 64, mode);
                 canvas.scene.triangle([0, 1, 2].map(|i: usize| VertexRef { head: &v[i], slots: &[] }), 2, edges);
                 assert_eq!(canvas.hits().iter().sum::<u32>(), want, "{edges:?}");
             }
         }
         // Edge-on polygons still have edges; they are back faces.
-        assert_eq!(count(mode(GL_LINE), [[2.5, 2.5], [9.5, 2.5], [5.5, 2.5]]), 7 + 4 + 3);
+        assert_eq!(count(mode(PolygonMode::Line), [[2.5, 2.5], [9.5, 2.5], [5.5, 2.5]]), 7 + 4 + 3);
     }
 
     #[test]
     fn offset_follows_the_slope() {
-        let z = |change: fn(&mut State), mode: u32| {
+        let z = |change: fn(&mut State), mode: PolygonMode| {
             let mut canvas = TestCanvas::new(32, 1, 1, 64, |state| {
                 (state.polygon.offset_factor, state.polygon.offset_units) = (2.0, 3.0);
                 state.polygon.mode = [mode; 2];
@@ -286,15 +297,15 @@ mod tests {
         // The greater slope is 1/2 over 32 pixels.
         let want = 2.0 * (0.5 / 32.0) * 16_777_215.0 + 3.0;
         let set = [
-            (GL_FILL, (|s| s.polygon.offset[2] = true) as fn(&mut State)),
-            (GL_LINE, |s| s.polygon.offset[1] = true),
-            (GL_POINT, |s| s.polygon.offset[0] = true),
+            (PolygonMode::Fill, (|s| s.polygon.offset[2] = true) as fn(&mut State)),
+            (PolygonMode::Line, |s| s.polygon.offset[1] = true),
+            (PolygonMode::Point, |s| s.polygon.offset[0] = true),
         ];
         for (mode, change) in set {
             let (plain, moved) = (z(|_| {}, mode), z(change, mode));
             assert!(!plain.is_empty() && plain.len() == moved.len());
             for (a, b) in plain.iter().zip(&moved) {
-                assert!((b.z - a.z - want).abs() < 1e-6, "{mode} {} {}", a.z, b.z);
+                assert!((b.z - a.z - want).abs() < 1e-6, "{mode:?} {} {}", a.z, b.z);
             }
         }
     }

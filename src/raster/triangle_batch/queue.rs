@@ -10,8 +10,9 @@ use crate::fragment::planes::{GROUP, Linear, Planes};
 use crate::raster::geometry::{Coverage, Prim, SceneGeometry, index};
 use crate::raster::setup::SetupContext;
 use crate::raster::setup::triangle::{TriangleInput, clip_mask};
-use crate::raster::state::{Mode, Rect};
+use crate::raster::state::Rect;
 use crate::raster::vertex::{VertexRef, Vertices, twice_area};
+use crate::state::raster::PolygonMode;
 
 impl TriangleBatch {
     /// Puts colours in place that are not simply those of the corners: flat shading, back faces.
@@ -103,7 +104,7 @@ impl SceneGeometry {
     /// Files the triangles of so many lanes.
     fn file_lanes(&mut self, cx: &SetupContext, count: usize) {
         let rs = cx.rs;
-        let offset = rs.offset[Mode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
+        let offset = rs.offset[PolygonMode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
         let (ccw, cw) = if rs.ccw_is_front { (0, 1) } else { (1, 0) };
         let culls = [rs.cull[ccw], rs.cull[cw]];
         let (first, planes) = self.pool.more_groups(cx.plan.layout().count);
@@ -158,8 +159,9 @@ impl SceneGeometry {
         };
         let group = &*self.group;
         if group.odd[lane].is_nan() {
-            let planes =
-                self.with_lane(cx, lane, |geometry, t, area| geometry.triangle_planes(cx, t, area, false, Mode::Fill));
+            let planes = self.with_lane(cx, lane, |geometry, t, area| {
+                geometry.triangle_planes(cx, t, area, false, PolygonMode::Fill)
+            });
             self.file(cover, cx.draw, planes, pixels);
             return true;
         }
@@ -214,12 +216,12 @@ impl SceneGeometry {
 
 #[cfg(test)]
 mod tests {
-    use crate::enums::*;
     use crate::fragment::planes::{Layout, UnitSlots};
     use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::raster::vertex::{Vertex, Vertices};
     use crate::simd::Level;
     use crate::state::State;
+    use crate::state::lighting::ShadeModel;
 
     /// Colours, fog, a unit of two coordinates and a cube map; or only the first of that.
     fn layouts() -> [Layout; 5] {
@@ -266,7 +268,7 @@ mod tests {
             let layout = layouts()[round % 5].clone();
             let triangles: Vec<_> = (0..150).map(|_| triangle(&mut random, layout.stride)).collect();
             let change = |state: &mut State| {
-                state.lighting.shade_model = if round & 4 != 0 { GL_FLAT } else { GL_SMOOTH };
+                state.lighting.shade_model = if round & 4 != 0 { ShadeModel::Flat } else { ShadeModel::Smooth };
                 (state.polygon.offset[2], state.polygon.offset_factor) = (round & 8 != 0, 3.5);
                 state.polygon.stipple = round & 16 != 0;
                 state.polygon_stipple.0 = [0x0F3C_55A1; 32];

@@ -160,7 +160,7 @@ fn a_floor_under_the_eye_reaches_from_the_near_plane_to_the_horizon() {
 #[test]
 fn flat_shading_keeps_its_colour_through_clipping() {
     let mut state = plain_state();
-    state.lighting.shade_model = GL_FLAT;
+    state.lighting.shade_model = crate::state::lighting::ShadeModel::Flat;
     let mut given = [at(0.0, 0.0, -3.0), at(-0.5, 0.0, 1.0), at(0.5, 0.0, 1.0)];
     for (v, k) in given.iter_mut().zip([0.25, 0.5, 0.75]) {
         v.current.color = [k; 4];

@@ -4,6 +4,11 @@
 use super::*;
 use crate::enums::*;
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::state::fog::FogCoordSource;
+use crate::state::lighting::ColorControl;
+use crate::state::lighting::MaterialColor;
+use crate::state::lighting::ShadeModel;
+use crate::state::raster::Face;
 use crate::vertex::batch::MAX_SLOTS;
 use glam::DMat4;
 
@@ -63,15 +68,15 @@ impl Random {
             s.transform.clip_planes[i] = self.wide();
         }
         s.point.distance_attenuation = self.pick(&[[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.5, 1.0, 2.0]]);
-        s.fog.coord_source = self.pick(&[GL_FOG_COORD, GL_FRAGMENT_DEPTH]);
+        s.fog.coord_source = self.pick(&[FogCoordSource::FogCoord, FogCoordSource::FragmentDepth]);
         let l = &mut s.lighting;
         l.enabled = self.chance(2);
-        l.shade_model = self.pick(&[GL_FLAT, GL_SMOOTH]);
+        l.shade_model = self.pick(&ShadeModel::ALL);
         l.color_material = self.chance(2);
-        l.color_material_face = self.pick(&[GL_FRONT, GL_BACK, GL_FRONT_AND_BACK]);
-        l.color_material_mode = self.pick(&[GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE]);
+        l.color_material_face = self.pick(&Face::ALL);
+        l.color_material_mode = self.pick(&MaterialColor::ALL);
         l.model.local_viewer = self.chance(2);
-        l.model.color_control = self.pick(&[GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR]);
+        l.model.color_control = self.pick(&ColorControl::ALL);
         for light in &mut l.lights {
             light.enabled = self.chance(3);
             light.diffuse = self.numbers();

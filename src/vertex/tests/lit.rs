@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::enums::*;
+use crate::state::lighting::ColorControl;
+use crate::state::lighting::MaterialColor;
 
 /// The colours of one vertex at the origin with a normal.
 fn lit(state: &State, layout: &Layout, normal: [f32; 3]) -> Vec<f32> {
@@ -43,10 +45,10 @@ fn specular_light_goes_where_it_is_told() {
     state.lighting.materials[0].shininess = 2.0;
     // n . h = 0.8, squared 0.64.
     close(&lit(&state, &color_layout(), [0.0, 0.6, 0.8]), &[1.0, 0.84, 0.68, 1.0]);
-    state.lighting.model.color_control = GL_SEPARATE_SPECULAR_COLOR;
+    state.lighting.model.color_control = ColorControl::SeparateSpecularColor;
     let layout = Layout { color: Some(0), secondary: Some(4), count: 7, stride: 7, ..Layout::default() };
     close(&lit(&state, &layout, [0.0, 0.6, 0.8]), &[0.68, 0.68, 0.68, 1.0, 0.32, 0.16, 0.0]);
-    state.lighting.model.color_control = GL_SINGLE_COLOR;
+    state.lighting.model.color_control = ColorControl::SingleColor;
     close(&lit(&state, &layout, [0.0, 0.6, 0.8])[4..], &[0.0; 3]);
 }
 
@@ -92,7 +94,7 @@ fn colours_track_and_two_sides_differ() {
     let mut state = one_light();
     state.lighting.color_material = true;
     close(&lit(&state, &color_layout(), [0.0, 0.0, 1.0]), &[0.6, 0.3, 0.15, 0.5]);
-    state.lighting.color_material_mode = GL_EMISSION;
+    state.lighting.color_material_mode = MaterialColor::Emission;
     close(&lit(&state, &color_layout(), [0.0, 0.0, -1.0]), &[0.54, 0.29, 0.165, 1.0]);
     let mut state = one_light();
     state.lighting.model.two_side = true;

@@ -115,7 +115,7 @@ fn fog_and_point_size_take_the_distance() {
     let Got::Point((v, slots)) = &got[0] else { panic!() };
     assert_eq!(slots, &[4.0]);
     assert_eq!(v.point_size, 8.0 / 5.0);
-    state.fog.coord_source = GL_FOG_COORD;
+    state.fog.coord_source = crate::state::fog::FogCoordSource::FogCoord;
     let mut v = at(0.0, 3.0, -4.0);
     v.current.fog_coord = 0.75;
     let got = draw(&state, &layout, GL_POINTS, &[v]);
