@@ -20,5 +20,4 @@ pub mod sampler;
 mod tests;
 pub mod uniforms;
 pub mod upload;
-pub mod whole;
 pub mod wrap;

@@ -9,7 +9,7 @@ use super::image::Image;
 use super::lod::RhoRanges;
 use super::object::TextureObject;
 use super::padding::PaddingKey;
-use super::uniforms::{TexFn, UnitUniforms, is_mipmap_filter, level_range};
+use super::uniforms::{LinearImage, TexFn, UnitUniforms, WrappedImage, is_mipmap_filter, level_range};
 use super::wrap::general;
 use super::{anisotropy, cube, lod};
 use crate::enums::*;
@@ -33,6 +33,24 @@ pub struct SamplerNeeds {
     pub size: [u32; 3],
 }
 
+/// What a sampler comes to as a whole. All but [`General`](SamplerKind::General) read one image without borders, which
+/// spans of a row can do without batches: of the base level or, where the sampler has [`Sampler::rho_ranges`], of one
+/// level that rho is known to select. Each coordinate is wrapped by REPEAT where its flag is set, by CLAMP or
+/// CLAMP_TO_EDGE where it is not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SamplerKind {
+    /// The nearest texel of 8-bit 2D images, left packed ([`Sampler::pack`]).
+    NearestPacked([bool; 2]),
+    /// LINEAR in three channels of 8-bit 2D images; alpha is 1.
+    LinearRgb([bool; 2]),
+    /// LINEAR in all channels of 8-bit 2D images.
+    LinearRgba([bool; 2]),
+    /// LINEAR in three channels of 8-bit 3D images; alpha is 1.
+    LinearRgb3d([bool; 3]),
+    /// Anything else: only the stages tell.
+    General,
+}
+
 /// The stages that sample one texture, with the numbers and images that they read.
 #[derive(Clone, Debug)]
 pub struct Sampler {
@@ -54,8 +72,18 @@ pub struct Sampler {
     pub opaque: bool,
     /// Whether the filter wraps coordinates itself, as far as those of a primitive ask for it.
     pub wraps: bool,
-    /// Whether the last stage reads the nearest texel of 8-bit images, with how many coordinates, and [`SamplerBuilder::near`].
-    nearest: Option<(usize, Option<u32>)>,
+    /// What the stages come to.
+    pub kind: SamplerKind,
+    /// Where the last stage reads the nearest texel of 8-bit images: how to read it packed.
+    packed: Option<Packed>,
+}
+
+/// The last stage of a sampler of nearest texels that leaves them packed.
+#[derive(Clone, Debug)]
+struct Packed {
+    stage: &'static Stage<TexFn>,
+    arg: u32,
+    kind: SamplerKind,
 }
 
 /// Fills the rings of the images that sampling reads, for the wraps and the border colour of the object. To be called
@@ -253,24 +281,52 @@ impl Sampler {
             LodCase::Constant { linear, .. } => !linear && !blends_levels(p.min_filter),
             LodCase::Varies { mixed, linear } => !linear && !mixed && !blends_levels(p.min_filter),
         };
-        let nearest = (one_level && builder.storage == Some(Storage::Rgba8)).then(|| (dims, builder.near()));
         let once = derivatives && builder.lod_arg() & lod::ONCE != 0;
         let certain = once && is_mipmap_filter(p.min_filter) && !matches!(lod, LodCase::Varies { mixed: true, .. });
         let rho_ranges = certain.then(|| RhoRanges::new(&uniforms, dims, blends_levels(p.min_filter)));
+        // Where one level is all that is read, the second pass of a filter of two and their mix only bring it to 0..1.
+        let one_image = rho_ranges.is_some() || !cube && matches!(lod, LodCase::Base { .. });
+        let packed = (one_level && builder.storage == Some(Storage::Rgba8)).then(|| builder.packed(one_image));
+        let kind = match lod {
+            LodCase::Base { linear: true } | LodCase::Varies { linear: true, .. } if one_image => builder.linear_kind(),
+            _ => SamplerKind::General,
+        };
         let wraps = builder.wraps_itself;
-        Self { plan: builder.plan, uniforms, needs, base, once, rho_ranges, taps, opaque, wraps, nearest }
+        Self { plan: builder.plan, uniforms, needs, base, once, rho_ranges, taps, opaque, wraps, kind, packed }
     }
 
     /// Makes the sampler write packed texels (`packed` of the batch) and nothing else, if each of its texels is one 8-bit
     /// texel of an image; says whether it is so.
     pub fn pack(&mut self) -> bool {
-        let Some((dims, near)) = self.nearest else { return false };
+        let Some(Packed { stage, arg, kind }) = self.packed else { return false };
         self.plan.steps.pop();
-        match near {
-            Some(repeats) => self.plan.push(&nearest_rgba8::WRAP_NEAREST_2D_PACKED, repeats),
-            None => self.plan.push(nearest_rgba8::nearest_packed(dims), 0),
-        }
+        self.plan.push(stage, arg);
+        self.kind = kind;
         true
+    }
+
+    /// The images with their wraps, if the sampler leaves their nearest texels packed and does nothing else.
+    #[must_use]
+    pub fn nearest_image(&self) -> Option<WrappedImage<2>> {
+        match self.kind {
+            SamplerKind::NearestPacked(repeats) => Some(self.wrapped(repeats)),
+            _ => None,
+        }
+    }
+
+    /// The images with their wraps, if the sampler filters one of them linearly and does nothing else.
+    #[must_use]
+    pub fn linear_image(&self) -> Option<LinearImage> {
+        match self.kind {
+            SamplerKind::LinearRgb(repeats) => Some(LinearImage::Rgb(self.wrapped(repeats))),
+            SamplerKind::LinearRgba(repeats) => Some(LinearImage::Rgba(self.wrapped(repeats))),
+            SamplerKind::LinearRgb3d(repeats) => Some(LinearImage::Rgb3d(self.wrapped(repeats))),
+            SamplerKind::NearestPacked(_) | SamplerKind::General => None,
+        }
+    }
+
+    fn wrapped<const K: usize>(&self, repeats: [bool; K]) -> WrappedImage<K> {
+        WrappedImage { levels: self.uniforms.images.clone(), repeats }
     }
 
     /// Samples all lanes of a batch: reads coordinates and derivatives, writes the texel of the unit.
@@ -330,13 +386,16 @@ impl SamplerBuilder {
     /// that are marked the nearest texel has all the weight.
     fn pass(&mut self, linear: bool, mixed: bool, flags: u32) {
         let linear = linear || mixed;
-        if let Some(repeats) = self.near().filter(|_| !linear) {
-            return self.push(&nearest_rgba8::WRAP_NEAREST_2D, flags | repeats);
-        }
-        let packed = self.storage == Some(Storage::Rgba8);
-        if let Some(repeats) = self.near_linear().filter(|_| linear && !mixed && packed) {
-            self.wraps_itself = true;
-            return self.push(linear_rgba8::stage(self.dims, self.format), flags | linear_rgba8::WRAPS | repeats);
+        match self.bounded() {
+            Some(repeats) if linear && !mixed => {
+                self.wraps_itself = true;
+                let stage = linear_rgba8::stage(self.dims, self.format);
+                return self.push(stage, flags | linear_rgba8::WRAPS | filter::repeat_flags(repeats));
+            }
+            Some(repeats) if !linear && self.dims == 2 => {
+                return self.push(&nearest_rgba8::WRAP_NEAREST_2D, flags | filter::repeat_flags(repeats));
+            }
+            _ => {}
         }
         for c in 0..self.dims {
             let (two, one) = general::stages(self.wraps[c]);
@@ -355,20 +414,36 @@ impl SamplerBuilder {
         self.push(stage, flags | depth::mode(self.base));
     }
 
-    /// Whether the nearest texel is found in one step, wrapping included; then which coordinates repeat, as
-    /// [`filter::REPEATS`] has it.
-    fn near(&self) -> Option<u32> {
-        let [Some(s), Some(t), _] = self.wraps.map(general::near) else { return None };
-        let known = self.dims == 2 && self.storage == Some(Storage::Rgba8) && !self.unnormalised && !self.general;
-        known.then_some((u32::from(s) | u32::from(t) << 1) * filter::REPEATS)
+    /// Which coordinates repeat, if filters of 8-bit texels wrap all of them themselves ([`bounded`](super::wrap::bounded)).
+    fn bounded(&self) -> Option<[bool; 3]> {
+        let mut repeats = [false; 3];
+        for c in 0..self.dims {
+            repeats[c] = general::near(self.wraps[c])?;
+        }
+        let known = self.storage == Some(Storage::Rgba8) && !self.unnormalised && !self.general;
+        known.then_some(repeats)
     }
 
-    /// Whether a linear filter wraps its coordinates itself; then which of them repeat, as [`filter::REPEATS`] has it.
-    fn near_linear(&self) -> Option<u32> {
-        let wraps = self.wraps.iter().take(self.dims).enumerate();
-        let known = !self.unnormalised && !self.general;
-        let repeats = |(c, wrap): (usize, &GLenum)| Some(u32::from(general::near(*wrap)?) << c);
-        wraps.map(repeats).try_fold(0, |all, one| Some(all | one?)).filter(|_| known).map(|all| all * filter::REPEATS)
+    /// What a sampler is that filters one image linearly.
+    fn linear_kind(&self) -> SamplerKind {
+        match (self.bounded(), self.dims, self.format) {
+            (Some([s, t, _]), 2, BaseFormat::Rgb) => SamplerKind::LinearRgb([s, t]),
+            (Some([s, t, _]), 2, BaseFormat::Rgba) => SamplerKind::LinearRgba([s, t]),
+            (Some(repeats), 3, BaseFormat::Rgb) => SamplerKind::LinearRgb3d(repeats),
+            _ => SamplerKind::General,
+        }
+    }
+
+    /// How the nearest texels are left packed. `one_image`: all are of one image, or of one level that rho tells.
+    fn packed(&self, one_image: bool) -> Packed {
+        match self.bounded() {
+            Some(repeats) if self.dims == 2 => {
+                let kind =
+                    if one_image { SamplerKind::NearestPacked([repeats[0], repeats[1]]) } else { SamplerKind::General };
+                Packed { stage: &nearest_rgba8::WRAP_NEAREST_2D_PACKED, arg: filter::repeat_flags(repeats), kind }
+            }
+            _ => Packed { stage: nearest_rgba8::nearest_packed(self.dims), arg: 0, kind: SamplerKind::General },
+        }
     }
 
     /// The factor from texels to 0..1, as bits.

@@ -52,6 +52,28 @@ pub struct WrappedImage<const K: usize> {
     pub repeats: [bool; K],
 }
 
+/// Images that are filtered linearly, by their dimensions and channels.
+#[derive(Clone, Debug)]
+pub enum LinearImage {
+    /// Three channels of 2D images; alpha is 1.
+    Rgb(WrappedImage<2>),
+    /// All channels of 2D images.
+    Rgba(WrappedImage<2>),
+    /// Three channels of 3D images; alpha is 1.
+    Rgb3d(WrappedImage<3>),
+}
+
+impl LinearImage {
+    /// The images, if they have two dimensions.
+    #[must_use]
+    pub fn in_2d(&self) -> Option<&WrappedImage<2>> {
+        match self {
+            Self::Rgb(image) | Self::Rgba(image) => Some(image),
+            Self::Rgb3d(_) => None,
+        }
+    }
+}
+
 /// What the stages of one unit's sampler read.
 #[derive(Clone, Debug)]
 pub struct UnitUniforms {

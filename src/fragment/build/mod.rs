@@ -25,7 +25,7 @@ use crate::state::color_buffer::{ColorBufferName, LogicOp};
 use crate::state::depth_stencil::StencilOp;
 use crate::texture::lod::RhoRanges;
 use crate::texture::object::TextureObject;
-use crate::texture::whole::Filtered;
+use crate::texture::uniforms::LinearImage;
 use std::fmt::{self, Display};
 
 /// A program in the making.
@@ -371,21 +371,21 @@ impl Builder<'_> {
             let levels = self.program.uniforms.levels.get(shown.unit as usize).and_then(Option::as_ref);
             let between = match (&shown.image, shown.blend) {
                 _ if !levels.is_some_and(|levels| levels.blends) => None,
-                (Filtered::Rgb(_), None) => Some(&long::FILL_RGB_LEVELS),
-                (Filtered::Rgba(_), None) => Some(&long::FILL_RGBA_LEVELS),
+                (LinearImage::Rgb(_), None) => Some(&long::FILL_RGB_LEVELS),
+                (LinearImage::Rgba(_), None) => Some(&long::FILL_RGBA_LEVELS),
                 _ => None,
             };
             let (stage, rows) = match (&shown.image, shown.blend) {
-                (Filtered::Rgb(_), None) => (&long::FILL_RGB, Some(&short::ROWS_RGB)),
-                (Filtered::Rgb(_), _) => (&long::FILL_RGB_BLENDED, Some(&short::ROWS_RGB_BLENDED)),
-                (Filtered::Rgba(_), None) => (&long::FILL_RGBA, Some(&short::ROWS_RGBA)),
-                (Filtered::Rgba(_), _) => (&long::FILL_RGBA_BLENDED, Some(&short::ROWS_RGBA_BLENDED)),
-                (Filtered::Rgb3d(_), None) => (&long::FILL_RGB_3D, None),
+                (LinearImage::Rgb(_), None) => (&long::FILL_RGB, Some(&short::ROWS_RGB)),
+                (LinearImage::Rgb(_), _) => (&long::FILL_RGB_BLENDED, Some(&short::ROWS_RGB_BLENDED)),
+                (LinearImage::Rgba(_), None) => (&long::FILL_RGBA, Some(&short::ROWS_RGBA)),
+                (LinearImage::Rgba(_), _) => (&long::FILL_RGBA_BLENDED, Some(&short::ROWS_RGBA_BLENDED)),
+                (LinearImage::Rgb3d(_), None) => (&long::FILL_RGB_3D, None),
                 _ => return,
             };
             let rows_between = match (&shown.image, between) {
                 (_, None) => None,
-                (Filtered::Rgb(_), _) => Some(&short::ROWS_RGB_LEVELS),
+                (LinearImage::Rgb(_), _) => Some(&short::ROWS_RGB_LEVELS),
                 _ => Some(&short::ROWS_RGBA_LEVELS),
             };
             self.fill_runs(stage, tests, 0, "only depth and one linear image: one stage does whole runs of a row");

@@ -16,7 +16,7 @@ use crate::texture::env::{EnvPlan, combine};
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
 use crate::texture::sampler::Sampler;
-use crate::texture::whole::Filtered;
+use crate::texture::uniforms::LinearImage;
 
 /// The base format of each unit's texture, as environments see it.
 type Bases = [Option<BaseFormat>; MAX_TEXTURE_UNITS];
@@ -115,12 +115,12 @@ impl Builder<'_> {
         let steps = self.steps(unit, sampler, 1u32.checked_shl(unit as u32).unwrap_or(0));
         let (unit, uniforms) = (unit as u32, &mut self.program.uniforms);
         match leaves {
-            Leaves::Texels(0) => uniforms.copied = sampler.copies().map(|from| Copied { unit, from }),
+            Leaves::Texels(0) => uniforms.copied = sampler.nearest_image().map(|from| Copied { unit, from }),
             Leaves::Packed { steps: Some(steps), .. } => {
-                uniforms.shown = sampler.filters().map(|image| Shown { unit, image, steps, blend: None });
+                uniforms.shown = sampler.linear_image().map(|image| Shown { unit, image, steps, blend: None });
             }
             Leaves::Floats if blended.is_some() => {
-                let shown = |steps| Some(Shown { unit, image: sampler.filters()?, steps, blend: blended });
+                let shown = |steps| Some(Shown { unit, image: sampler.linear_image()?, steps, blend: blended });
                 uniforms.shown = steps.and_then(shown);
             }
             _ => {}
@@ -141,7 +141,9 @@ impl Builder<'_> {
         if !multiplies || number & env_pack::TESTED != 0 || last.1.rho_ranges.is_some() {
             return;
         }
-        if let (Some(image @ Filtered::Rgb(_)), Some(Filtered::Rgb(other))) = (first.1.filters(), last.1.filters()) {
+        if let (Some(image @ LinearImage::Rgb(_)), Some(LinearImage::Rgb(other))) =
+            (first.1.linear_image(), last.1.linear_image())
+        {
             let uniforms = &mut self.program.uniforms;
             uniforms.shown = Some(Shown { unit: first.0 as u32, image, steps, blend: None });
             uniforms.last = Some(Last { unit: last.0 as u32, image: other });

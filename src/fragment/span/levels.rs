@@ -20,7 +20,7 @@ impl<'a, const FORMAT: u8> Between<'a, FORMAT> {
     /// The image that is shown.
     #[inline(always)]
     pub(crate) fn of(shown: &'a Shown) -> Option<Self> {
-        Some(Self(shown, shown.image.flat()?))
+        Some(Self(shown, shown.image.in_2d()?))
     }
 }
 

@@ -16,8 +16,8 @@ use crate::fragment::span::long::{Part, Parts, SpanShader};
 use crate::fragment::uniforms::{FragUniforms, Work};
 use crate::texture::filter::INV_255;
 use crate::texture::filter::linear_rgba8::{self, CHUNK, RGB, TexelIndices, TexelPairs};
+use crate::texture::uniforms::LinearImage;
 use crate::texture::uniforms::{MipLevel, WrappedImage};
-use crate::texture::whole::Filtered;
 use crate::texture::wrap::bounded;
 
 /// What a program does that filters one image: which, of which unit, and what the environment does with colour and alpha.
@@ -26,7 +26,7 @@ pub struct Shown {
     /// The unit's index.
     pub unit: u32,
     /// The image.
-    pub image: Filtered,
+    pub image: LinearImage,
     /// What becomes of the colour, and of alpha.
     pub(crate) steps: [Step; 2],
     /// The number of the pair of factors by which the outcome is blended, if it is.
@@ -268,7 +268,7 @@ impl<'a, const FORMAT: u8, const BLENDED: bool> Flat<'a, FORMAT, BLENDED> {
     /// The image that is shown.
     #[inline(always)]
     pub(crate) fn of(shown: &'a Shown) -> Option<Self> {
-        Some(Self(shown, shown.image.flat()?))
+        Some(Self(shown, shown.image.in_2d()?))
     }
 }
 
@@ -294,7 +294,7 @@ impl<'a> Solid<'a> {
     #[inline(always)]
     pub(crate) fn of(shown: &'a Shown) -> Option<Self> {
         match &shown.image {
-            Filtered::Rgb3d(image) => Some(Self(shown, image)),
+            LinearImage::Rgb3d(image) => Some(Self(shown, image)),
             _ => None,
         }
     }

@@ -36,7 +36,7 @@ impl<'a> TwoImages<'a> {
     #[inline(always)]
     pub(crate) fn of(u: &'a FragUniforms) -> Option<Self> {
         let shown = u.shown.as_ref()?;
-        Some(Self { shown, first: shown.image.flat()?, last: u.last.as_ref()? })
+        Some(Self { shown, first: shown.image.in_2d()?, last: u.last.as_ref()? })
     }
 }
 

@@ -20,6 +20,12 @@ pub const PARTIAL: u32 = 16;
 /// In the argument of a stage that wraps too: s is REPEAT; the next bits are those of t and r.
 pub const REPEATS: u32 = 32;
 
+/// [`REPEATS`] and the next two bits: which of s, t, r are wrapped by REPEAT.
+#[must_use]
+pub fn repeat_flags([s, t, r]: [bool; 3]) -> u32 {
+    (u32::from(s) | u32::from(t) << 1 | u32::from(r) << 2) * REPEATS
+}
+
 /// 1/255, rounded once. 255 times it is exactly 1.
 pub const INV_255: f32 = 1.0 / 255.0;
 
