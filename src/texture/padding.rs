@@ -3,7 +3,6 @@
 //! there once, before a draw, and the filter itself knows nothing of wrapping.
 
 use super::image::{Dimensions, Image, Texels};
-use crate::enums::*;
 use crate::error::Outcome;
 use crate::num::clamp01;
 use crate::pixels::element::{from_rgba8, to_rgba8};
@@ -21,19 +20,6 @@ pub enum Padding {
     MirrorBorder,
 }
 
-impl Padding {
-    /// The pad that a wrap mode needs.
-    #[must_use]
-    pub fn of_wrap(wrap: GLenum) -> Padding {
-        match wrap {
-            GL_CLAMP | GL_CLAMP_TO_BORDER => Padding::Border,
-            GL_CLAMP_TO_EDGE | GL_MIRRORED_REPEAT | GL_MIRROR_CLAMP_TO_EDGE_EXT => Padding::Edge,
-            GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_BORDER_EXT => Padding::MirrorBorder,
-            _ => Padding::Repeat,
-        }
-    }
-}
-
 /// What a ring is filled for: the pads of s, t, r and the border colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PaddingKey {
@@ -42,10 +28,10 @@ pub struct PaddingKey {
 }
 
 impl PaddingKey {
-    /// The key of three wrap modes (as enumerants) and TEXTURE_BORDER_COLOR. The colour only counts where a wrap reads it.
+    /// The key of the paddings of s, t and r and of TEXTURE_BORDER_COLOR. The colour only counts where one reads it.
     #[must_use]
-    pub fn new(wraps: [GLenum; 3], border_color: [f32; 4]) -> PaddingKey {
-        let key = PaddingKey { pads: wraps.map(Padding::of_wrap), border: [0; 4] };
+    pub fn new(pads: [Padding; 3], border_color: [f32; 4]) -> PaddingKey {
+        let key = PaddingKey { pads, border: [0; 4] };
         PaddingKey { border: if key.reads_border() { border_color.map(f32::to_bits) } else { [0; 4] }, ..key }
     }
 

@@ -10,7 +10,7 @@ use super::lod::RhoRanges;
 use super::object::TextureObject;
 use super::padding::PaddingKey;
 use super::uniforms::{LinearImage, TexFn, UnitUniforms, WrappedImage, is_mipmap_filter, level_range};
-use super::wrap::general;
+use super::wrap::{self, Wrap, general};
 use super::{anisotropy, cube, lod};
 use crate::enums::*;
 use crate::error::Outcome;
@@ -89,7 +89,8 @@ struct Packed {
 /// Fills the rings of the images that sampling reads, for the wraps and the border colour of the object. To be called
 /// before a draw when the object has changed; costs little when nothing is to be done.
 pub fn prepare(object: &mut TextureObject) -> Outcome {
-    let key = PaddingKey::new(object.parameters.wrap, object.parameters.border_color);
+    let key =
+        PaddingKey::new(object.parameters.wrap.map(|mode| wrap::row(mode).padding), object.parameters.border_color);
     let (base, last) = level_range(object);
     for face in &mut object.faces {
         for image in face.iter_mut().skip(base).take(last - base + 1).flatten() {
@@ -200,7 +201,7 @@ impl Sampler {
         let opaque = has_alpha && !general && uniforms.images.iter().all(|image| image.image.is_opaque());
         let mut builder = SamplerBuilder {
             plan: Plan::new(level),
-            wraps: p.wrap,
+            wraps: p.wrap.map(wrap::row),
             dims,
             cube,
             compare,
@@ -269,7 +270,7 @@ impl Sampler {
             coordinates: if cube || compare { 3 } else { dims },
             derivatives,
             cube,
-            period: std::array::from_fn(|c| if c < dims && !cube { general::period(p.wrap[c]) } else { 0 }),
+            period: std::array::from_fn(|c| if c < dims && !cube { builder.wraps[c].period } else { 0 }),
             size: std::array::from_fn(|c| match (cube, uniforms.unnormalised) {
                 (true, _) => size[0] as u32,
                 (_, false) if c < dims => size[c] as u32,
@@ -359,7 +360,7 @@ impl Sampler {
 /// A plan being built.
 struct SamplerBuilder {
     plan: Plan<TexFn>,
-    wraps: [GLenum; 3],
+    wraps: [&'static Wrap; 3],
     dims: usize,
     cube: bool,
     compare: bool,
@@ -398,7 +399,7 @@ impl SamplerBuilder {
             _ => {}
         }
         for c in 0..self.dims {
-            let (two, one) = general::stages(self.wraps[c]);
+            let Wrap { linear: two, nearest: one, .. } = self.wraps[c];
             let arg = c as u32 | flags & general::SECOND | if self.general { general::PLAIN } else { 0 };
             self.push(if linear { two } else { one }, arg);
             if mixed {
@@ -418,7 +419,7 @@ impl SamplerBuilder {
     fn bounded(&self) -> Option<[bool; 3]> {
         let mut repeats = [false; 3];
         for c in 0..self.dims {
-            repeats[c] = general::near(self.wraps[c])?;
+            repeats[c] = self.wraps[c].repeats?;
         }
         let known = self.storage == Some(Storage::Rgba8) && !self.unnormalised && !self.general;
         known.then_some(repeats)

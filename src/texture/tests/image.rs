@@ -9,9 +9,14 @@ use crate::texture::image::{Dimensions, Image, Texels};
 use crate::texture::mipmap;
 use crate::texture::padding::{Padding, PaddingKey};
 use crate::texture::s3tc::Fit;
+use crate::texture::wrap;
 
 fn find(name: GLenum) -> &'static InternalFormat {
     InternalFormat::find(name).unwrap()
+}
+
+fn padding_key(wraps: [GLenum; 3], border_color: [f32; 4]) -> PaddingKey {
+    PaddingKey::new(wraps.map(|mode| wrap::row(mode).padding), border_color)
 }
 
 fn noise(n: usize) -> Vec<u8> {
@@ -200,7 +205,7 @@ fn the_border_is_data() {
             let len = image.get_tex_image_bytes(&PixelStore::TIGHT, pair.0, pair.1).unwrap();
             assert_eq!(len, bytes.len());
             let mut padded = image.clone();
-            padded.fill_padding(&PaddingKey::new([GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT], [1.0; 4])).unwrap();
+            padded.fill_padding(&padding_key([GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT], [1.0; 4])).unwrap();
             for image in [image, padded] {
                 let mut out = vec![0; len];
                 image.get_tex_image(&PixelStore::TIGHT, pair.0, pair.1, &mut out).unwrap();
@@ -244,7 +249,7 @@ fn the_ring_is_what_the_wraps_ask_for() {
             let original = image.clone();
             for n in 0..64usize {
                 let wrap = [wraps[n & 3], wraps[n >> 2 & 3], wraps[n >> 4]];
-                let key = PaddingKey::new(wrap, [0.2, 0.4, 0.6, 0.8]);
+                let key = padding_key(wrap, [0.2, 0.4, 0.6, 0.8]);
                 image.fill_padding(&key).unwrap();
                 assert!(image.is_padded_for(&key));
                 let range = |a: usize| if has[a] { -1..size[a] as i32 + 1 } else { 0..1 };
@@ -272,14 +277,14 @@ fn the_ring_is_what_the_wraps_ask_for() {
 fn writing_forgets_the_pads_and_keeps_the_border() {
     let (mut image, _) = noisy(GL_RGBA8, Dimensions::Two, [6, 6, 1], 1);
     let border = image.texel(-1, 2, 0);
-    image.fill_padding(&PaddingKey::new([GL_REPEAT; 3], [0.0; 4])).unwrap();
+    image.fill_padding(&padding_key([GL_REPEAT; 3], [0.0; 4])).unwrap();
     assert_ne!(image.texel(-1, 2, 0), border);
     image.upload([0, 0, 0], &rgba(&[9; 4], [1, 1, 1]), Transfer::NEUTRAL).unwrap();
     assert_eq!((image.texel(-1, 2, 0), image.texel(0, 0, 0)), (border, [9.0 / 255.0; 4]));
     image.upload([-1, 2, 0], &rgba(&[8; 4], [1, 1, 1]), Transfer::NEUTRAL).unwrap();
     assert_eq!(image.texel(-1, 2, 0), [8.0 / 255.0; 4]);
     let (mut image, _) = noisy(GL_RGBA8, Dimensions::Two, [4, 4, 1], 0);
-    let key = PaddingKey::new([GL_REPEAT; 3], [0.0; 4]);
+    let key = padding_key([GL_REPEAT; 3], [0.0; 4]);
     image.fill_padding(&key).unwrap();
     image.write_rgba8([0, 0, 0], &[u32::MAX], Transfer::NEUTRAL);
     assert!(!image.is_padded_for(&key));
@@ -322,7 +327,7 @@ fn absurd_sizes_are_out_of_memory() {
     let empty = Image::new(find(GL_RGBA), Dimensions::Two, [0, 5, 1], 0).unwrap();
     assert!(empty.is_null());
     let mut empty = empty;
-    empty.fill_padding(&PaddingKey::new([GL_REPEAT; 3], [0.0; 4])).unwrap();
+    empty.fill_padding(&padding_key([GL_REPEAT; 3], [0.0; 4])).unwrap();
     assert!(mipmap::levels(&empty, 5, Level::Baseline, &mut []).unwrap().is_empty());
     let mut out = [];
     empty.get_tex_image(&PixelStore::TIGHT, GL_RGBA, GL_FLOAT, &mut out).unwrap();

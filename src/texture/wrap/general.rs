@@ -19,9 +19,8 @@
 //! is the same colour.
 
 use super::bounded::{CoordBounds, LinearWrap};
-use crate::enums::*;
 use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
-use crate::simd::{Cost, LANES, Stage, stage};
+use crate::simd::{Cost, LANES, stage};
 use crate::texture::batch::{SamplerScratch, TexBatch};
 use crate::texture::uniforms::{TexFn, UnitUniforms};
 
@@ -275,42 +274,10 @@ stage! {
     }
 }
 
-/// The stages of a wrap mode: (LINEAR, NEAREST).
-#[must_use]
-pub fn stages(wrap: GLenum) -> (&'static Stage<TexFn>, &'static Stage<TexFn>) {
-    match wrap {
-        GL_CLAMP | GL_CLAMP_TO_EDGE => (&WRAP_CLAMP_LINEAR, &WRAP_CLAMP_NEAREST),
-        GL_CLAMP_TO_BORDER => (&WRAP_BORDER_LINEAR, &WRAP_BORDER_NEAREST),
-        GL_MIRRORED_REPEAT => (&WRAP_MIRRORED_LINEAR, &WRAP_MIRRORED_NEAREST),
-        GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_EDGE_EXT => (&WRAP_MIRROR_CLAMP_LINEAR, &WRAP_MIRROR_CLAMP_NEAREST),
-        GL_MIRROR_CLAMP_TO_BORDER_EXT => (&WRAP_MIRROR_BORDER_LINEAR, &WRAP_MIRROR_BORDER_NEAREST),
-        _ => (&WRAP_REPEAT_LINEAR, &WRAP_REPEAT_NEAREST),
-    }
-}
-
-/// Whether a wrap mode is one that `NearestWrap` knows, and then whether it is REPEAT.
-#[must_use]
-pub fn near(wrap: GLenum) -> Option<bool> {
-    match wrap {
-        GL_REPEAT => Some(true),
-        GL_CLAMP | GL_CLAMP_TO_EDGE => Some(false),
-        _ => None,
-    }
-}
-
-/// The whole number that may be taken off a coordinate under this wrap mode: 1, 2, or 0 for none.
-#[must_use]
-pub fn period(wrap: GLenum) -> u8 {
-    match wrap {
-        GL_REPEAT => 1,
-        GL_MIRRORED_REPEAT => 2,
-        _ => 0,
-    }
-}
-
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::enums::*;
 
     /// The linear and the nearest result of a wrap mode.
     pub fn both(wrap: GLenum, s: f32, n: f32) -> ((i32, f32), i32) {
