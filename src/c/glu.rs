@@ -16,7 +16,7 @@
 #![expect(clippy::too_many_arguments, reason = "the functions are GLU's")]
 
 use super::current;
-use super::handmade::with;
+use super::manual::with;
 use crate::context::{InSlice, IntoBool, IntoInt, Pixels, PixelsMut};
 use crate::enums::{GLboolean, GLdouble, GLenum, GLint, GLsizei};
 use crate::glu::{self, Matrix, MipmapLevels, Quadric};

@@ -23,12 +23,12 @@
 
 mod current;
 mod glu;
-mod handmade;
+mod manual;
 mod rows;
 
 pub use crate::context::{ArrayData, Context, Indices, NULL, Null, Pixels, PixelsMut};
 pub use crate::enums::*;
 pub use current::{calls_without_context, make_current, take_current, with_current};
 pub use glu::*;
-pub use handmade::*;
+pub use manual::*;
 pub use rows::*;

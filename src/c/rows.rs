@@ -4,9 +4,9 @@
 
 use super::current;
 use crate::context::table::{
-    arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
-    imaging::imaging_table, kinds::door_ty, lighting::lighting_table, lists::lists_table, pixels::pixels_table,
-    raster::raster_table, texture::texture_table, transform::transform_table, vertex::vertex_table,
+    arg_kinds::door_ty, arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
+    imaging::imaging_table, lighting::lighting_table, lists::lists_table, pixels::pixels_table, raster::raster_table,
+    texture::texture_table, transform::transform_table, vertex::vertex_table,
 };
 
 /// What a function of this door returns: `GLboolean` in the place of `bool`.
@@ -63,14 +63,14 @@ macro_rules! c_door {
             $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
         forms { $( family $sentence:literal { $( $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident ( $($fe:expr),* ) ; )* } )* }
-        own { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
+        context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
             $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
         queries { $( family $q_sentence:literal { $( $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident ( $($qe:expr),* ) ; )* } )* }
         answers { $($answers:tt)* }
-        handmade { $($handmade:tt)* }
+        manual { $($manual:tt)* }
     ) => {
         functions! {
             $( $c_name $(| $c_alias)* $c_snake ( $($ca : $ck),* ) ; )*

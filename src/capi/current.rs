@@ -117,5 +117,5 @@ pub(super) fn without<T: Default>(f: impl FnOnce() -> T) -> T {
 pub(super) fn quiet<'a>() -> Option<&'a mut Context> {
     // SAFETY: as in `with_handle`.
     let context = unsafe { &mut get().as_mut()?.context };
-    context.hooks.none().then_some(context)
+    context.flags.none().then_some(context)
 }

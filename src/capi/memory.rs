@@ -3,7 +3,7 @@
 //! A null pointer is an empty slice, which the safe doors refuse in words where memory is needed.
 
 use crate::context::capture::{ImageSize, image_bytes};
-use crate::context::{ArrayData, ClientAddress, Context, Element, Indices, Pixels, PixelsMut, counts};
+use crate::context::{ArrayData, ClientAddress, Context, Element, Indices, Pixels, PixelsMut, param_counts};
 use crate::enums::*;
 use std::borrow::Cow;
 use std::ffi::c_void;
@@ -86,7 +86,7 @@ pub(super) unsafe fn indices<'a>(cx: &mut Context, pointer: *const c_void, n: i3
         return Indices::Offset(pointer as usize);
     }
     // SAFETY: the caller's promise.
-    Indices::Bytes(Cow::Borrowed(unsafe { slice(pointer.cast::<u8>(), counts::indices(n, type_)) }))
+    Indices::Bytes(Cow::Borrowed(unsafe { slice(pointer.cast::<u8>(), param_counts::indices(n, type_)) }))
 }
 
 /// Writes the values of a query.

@@ -8,7 +8,7 @@
 
 mod current;
 mod glu;
-mod handmade;
+mod manual;
 mod memory;
 mod osmesa;
 mod present;

@@ -8,7 +8,7 @@ use crate::context::Config;
 use crate::enums::*;
 use crate::framebuffer::{Framebuffer, FramebufferFormat, UserMemory};
 use crate::limits::MAX_VIEWPORT_DIM;
-use crate::{Context, context::counts};
+use crate::{Context, context::param_counts};
 use std::ffi::{c_char, c_int, c_uint, c_void};
 use std::ptr::null_mut;
 
@@ -284,7 +284,7 @@ pub extern "C" fn OSMesaGetCurrentContext() -> *mut OsMesa {
 pub extern "C" fn OSMesaPixelStore(pname: c_int, value: c_int) {
     current::with_handle(|os| {
         match pname {
-            ROW_LENGTH => os.layout.row_length = counts::count(value) as u32,
+            ROW_LENGTH => os.layout.row_length = param_counts::count(value) as u32,
             Y_UP => os.layout.y_up = value != 0,
             _ => return,
         }

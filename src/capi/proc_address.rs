@@ -1,7 +1,7 @@
 //! Functions by their names: OSMesaGetProcAddress knows every function that the library exports.
 
 use super::osmesa::*;
-use super::{current, glu, handmade, rows};
+use super::{current, glu, manual, rows};
 use std::ffi::{CStr, c_char, c_void};
 
 /// The address of a function of OSMesa.
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn OSMesaGetProcAddress(name: *const c_char) -> *const c_v
     let Ok(name) = (unsafe { CStr::from_ptr(name) }).to_str() else { return std::ptr::null() };
     let found = current::without(|| {
         let address =
-            rows::find(name).or_else(|| handmade::find(name)).or_else(|| glu::find(name)).or_else(|| osmesa(name));
+            rows::find(name).or_else(|| manual::find(name)).or_else(|| glu::find(name)).or_else(|| osmesa(name));
         address.map_or(0, |address| address as usize)
     });
     found as *const c_void

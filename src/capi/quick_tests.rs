@@ -5,7 +5,7 @@
 use super::osmesa::*;
 use super::rows::vertex as doors;
 use crate::Context;
-use crate::context::at_once::if_at_once;
+use crate::context::immediate_fast::if_immediate_fast;
 use crate::context::table::vertex::vertex_table;
 use crate::enums::*;
 use std::ptr::null_mut;
@@ -45,7 +45,7 @@ macro_rules! calls {
     ) => {
         {
             let mut calls: Vec<Call> = Vec::new();
-            $( $( if_at_once! { $op, {
+            $( $( if_immediate_fast! { $op, {
                 calls.push((stringify!($name), |s: Sample| {
                     let mut _i = 0.0;
                     // SAFETY: arrays are as long as their rows say and live as long as the call.

@@ -1,9 +1,9 @@
 //! One exported function for every row of the table and every alias, with the signature that the headers declare.
 
 use super::{current, memory};
-use crate::context::at_once::{AtOnce, if_at_once};
-use crate::context::counts;
-use crate::context::table::Ask;
+use crate::context::immediate_fast::{ImmediateFast, if_immediate_fast};
+use crate::context::param_counts;
+use crate::context::table::Query;
 use std::collections::BTreeMap;
 use std::ffi::{CString, c_void};
 use std::sync::Mutex;
@@ -31,13 +31,13 @@ macro_rules! c_ty {
 /// An argument of C as a safe door takes it.
 macro_rules! from_c {
     ([$t:ty; $n:literal], $cx:ident, $a:ident) => { unsafe { memory::slice::<$t>($a, $n) } };
-    ((slice $t:ty : $($count:tt)*), $cx:ident, $a:ident) => { unsafe { memory::slice::<$t>($a, counts::$($count)*) } };
-    ((out $t:ty : $($count:tt)*), $cx:ident, $a:ident) => { unsafe { memory::slice_mut::<$t>($a, counts::$($count)*) } };
+    ((slice $t:ty : $($count:tt)*), $cx:ident, $a:ident) => { unsafe { memory::slice::<$t>($a, param_counts::$($count)*) } };
+    ((out $t:ty : $($count:tt)*), $cx:ident, $a:ident) => { unsafe { memory::slice_mut::<$t>($a, param_counts::$($count)*) } };
     ((rect $size:expr, $format:expr, $type:expr), $cx:ident, $a:ident) => {{
         let n = memory::unpack_bytes($cx, $size, $format, $type);
         unsafe { memory::bytes($a, n) }
     }};
-    ((bytes $size:expr), $cx:ident, $a:ident) => { unsafe { memory::bytes($a, counts::size($size)) } };
+    ((bytes $size:expr), $cx:ident, $a:ident) => { unsafe { memory::bytes($a, param_counts::size($size)) } };
     ((rect_out $size:expr, $format:expr, $type:expr), $cx:ident, $a:ident) => {{
         let n = memory::pack_bytes($cx, $size, $format, $type);
         unsafe { memory::bytes_mut($a, n) }
@@ -54,7 +54,7 @@ macro_rules! from_c {
         let n = $cx.engine.compressed_tex_image_bytes($target, $level);
         unsafe { memory::bytes_mut($a, n) }
     }};
-    ((bytes_out $size:expr), $cx:ident, $a:ident) => { unsafe { memory::bytes_mut($a, counts::size($size)) } };
+    ((bytes_out $size:expr), $cx:ident, $a:ident) => { unsafe { memory::bytes_mut($a, param_counts::size($size)) } };
     (array, $cx:ident, $a:ident) => { unsafe { memory::array($a) } };
     ((indices $count:ident, $type:ident), $cx:ident, $a:ident) => { unsafe { memory::indices($cx, $a, $count, $type) } };
     ($k:tt, $cx:ident, $a:ident) => { $a };
@@ -95,8 +95,8 @@ const fn presents(name: &str) -> bool {
     matches!(name.as_bytes(), b"glFlush" | b"glFinish")
 }
 
-/// An argument of C as a command takes it that is tried [at once](crate::context::at_once).
-macro_rules! at_once_argument {
+/// An argument of C as a command takes it that is tried [at once](crate::context::immediate_fast).
+macro_rules! fast_argument {
     ([$t:ty; $n:literal], $a:ident, $out:lifetime) => {
         // SAFETY: the promise of the caller.
         match unsafe { memory::slice::<$t>($a, $n) }.first_chunk::<$n>() {
@@ -105,7 +105,7 @@ macro_rules! at_once_argument {
         }
     };
     ($k:ident, $a:ident, $out:lifetime) => {
-        crate::context::table::kinds::plain!($k, $a)
+        crate::context::table::arg_kinds::plain!($k, $a)
     };
 }
 
@@ -127,9 +127,9 @@ macro_rules! quick_function {
                 });
             }
             #[allow(unused_labels, reason = "numbers need no look")]
-            let done = 'at_once: {
-                $( let $a = at_once_argument!($k, $a, 'at_once); )*
-                current::quiet().is_some_and(|cx| AtOnce::$op(&mut cx.engine, $($e),*))
+            let done = 'fast: {
+                $( let $a = fast_argument!($k, $a, 'fast); )*
+                current::quiet().is_some_and(|cx| ImmediateFast::$op(&mut cx.engine, $($e),*))
             };
             if !done {
                 // SAFETY: the arguments are those of this call.
@@ -164,7 +164,7 @@ macro_rules! function {
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $symbol($($a: c_ty!($k),)* params: *mut $t) {
             current::with(|cx| {
-                if let Some(values) = Ask::$snake(cx, $($a),*) {
+                if let Some(values) = Query::$snake(cx, $($a),*) {
                     // SAFETY: the promise of the caller.
                     unsafe { memory::write(params, values.converted::<$t>()) };
                 }
@@ -190,7 +190,7 @@ macro_rules! exports {
 /// The exported functions of a typed form.
 macro_rules! form_exports {
     ($name:ident [$($alias:ident)*] $snake:ident $args:tt $op:ident $call:tt) => {
-        if_at_once! { $op, {
+        if_immediate_fast! { $op, {
             quick_function! { $name $snake $args $op $call }
             form_exports! { @aliases [$($alias)*] $snake $args $op $call }
         }, {
@@ -208,14 +208,14 @@ macro_rules! c_abi {
         commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)* $c_snake:ident $c_args:tt ; )* }
         forms { $( family $sentence:literal { $( $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident $f_args:tt => $op:ident $f_call:tt ; )* } )* }
-        own { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
+        context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident $o_args:tt $(-> $or:ident)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
             $n_snake:ident $n_args:tt $(-> $nr:tt)? ; )* }
         queries { $( family $q_sentence:literal { $( $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident $q_args:tt -> $q_type:ident => $query:ident $q_call:tt ; )* } )* }
         answers { $($answers:tt)* }
-        handmade { $($handmade:tt)* }
+        manual { $($manual:tt)* }
     ) => {
         $( exports! { $c_name [$($c_alias)*] $c_snake $c_args [] } )*
         $( $( form_exports! { $f_name [$($f_alias)*] $f_snake $f_args $op $f_call } )* )*

@@ -3,8 +3,8 @@
 //! something asks for what was drawn. State cannot change between Begin and End, except for materials: before one
 //! changes, the vertices that wait run with the material of their time.
 
-use super::at_once::AtOnce;
 use super::engine::Engine;
+use super::immediate_fast::ImmediateFast;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation};
 use crate::limits::MAX_TEXTURE_UNITS;
@@ -74,7 +74,7 @@ impl Engine {
     /// A vertex with the current attributes. Outside of Begin and End it does nothing.
     #[inline]
     pub(crate) fn vertex(&mut self, position: [f32; 4]) {
-        if !AtOnce::vertex(self, position) {
+        if !ImmediateFast::vertex(self, position) {
             self.rare_vertex(position);
         }
     }
@@ -130,7 +130,7 @@ impl Engine {
 
     #[inline]
     pub(crate) fn color(&mut self, color: [f32; 4]) {
-        if !AtOnce::color(self, color) {
+        if !ImmediateFast::color(self, color) {
             self.state.current.color = color;
             self.track_color();
         }
@@ -138,17 +138,17 @@ impl Engine {
 
     #[inline]
     pub(crate) fn secondary_color(&mut self, color: [f32; 4]) {
-        AtOnce::secondary_color(self, color);
+        ImmediateFast::secondary_color(self, color);
     }
 
     #[inline]
     pub(crate) fn normal(&mut self, normal: [f32; 3]) {
-        AtOnce::normal(self, normal);
+        ImmediateFast::normal(self, normal);
     }
 
     #[inline]
     pub(crate) fn tex_coord(&mut self, coordinates: [f32; 4]) {
-        if !AtOnce::tex_coord(self, coordinates) {
+        if !ImmediateFast::tex_coord(self, coordinates) {
             self.state.current.tex_coord[0] = coordinates;
             self.unit_has_q(0);
         }
@@ -170,7 +170,7 @@ impl Engine {
 
     #[inline]
     pub(crate) fn multi_tex_coord(&mut self, target: GLenum, coordinates: [f32; 4]) -> Outcome {
-        if AtOnce::multi_tex_coord(self, target, coordinates) {
+        if ImmediateFast::multi_tex_coord(self, target, coordinates) {
             return Ok(());
         }
         let unit = target.wrapping_sub(GL_TEXTURE0) as usize;
@@ -190,17 +190,17 @@ impl Engine {
 
     #[inline]
     pub(crate) fn fog_coord(&mut self, coordinate: f32) {
-        AtOnce::fog_coord(self, coordinate);
+        ImmediateFast::fog_coord(self, coordinate);
     }
 
     #[inline]
     pub(crate) fn index(&mut self, index: f32) {
-        AtOnce::index(self, index);
+        ImmediateFast::index(self, index);
     }
 
     #[inline]
     pub(crate) fn edge_flag(&mut self, flag: bool) {
-        AtOnce::edge_flag(self, flag);
+        ImmediateFast::edge_flag(self, flag);
     }
 
     /// A rectangle with sides parallel to the axes, as a polygon.

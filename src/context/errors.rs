@@ -63,12 +63,12 @@ impl std::fmt::Display for DebugMessage<'_> {
 pub type DebugCallback = Box<dyn FnMut(&DebugMessage<'_>) + Send>;
 
 /// What an engine method may return: every shape becomes an outcome.
-pub(crate) trait Settle {
+pub(crate) trait IntoOutcome {
     type Value: Default;
     fn outcome(self) -> Outcome<Self::Value>;
 }
 
-impl<T: Default> Settle for Outcome<T> {
+impl<T: Default> IntoOutcome for Outcome<T> {
     type Value = T;
     #[inline]
     fn outcome(self) -> Outcome<T> {
@@ -77,7 +77,7 @@ impl<T: Default> Settle for Outcome<T> {
 }
 
 macro_rules! plain_results {
-    ($($t:ty)*) => { $(impl Settle for $t {
+    ($($t:ty)*) => { $(impl IntoOutcome for $t {
         type Value = $t;
         #[inline]
         fn outcome(self) -> Outcome<$t> { Ok(self) }
@@ -140,7 +140,7 @@ impl Context {
     /// The value of a command, after its error has been noted.
     #[inline]
     #[track_caller]
-    pub(crate) fn settle<R: Settle>(&mut self, name: &'static str, result: R) -> R::Value {
+    pub(crate) fn record_result<R: IntoOutcome>(&mut self, name: &'static str, result: R) -> R::Value {
         match result.outcome() {
             Ok(value) => value,
             Err(error) => self.fail(name, error),

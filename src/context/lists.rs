@@ -2,9 +2,9 @@
 //! positions takes the place of the machine's stack, so that 64 levels are 64 small frames, and a list that calls itself
 //! ends there as the specification says.
 
+use super::list_vertices::ListVertices;
 use super::recorder::{Command, List, OpenList};
-use super::run::Run;
-use super::{Context, counts};
+use super::{Context, param_counts};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::state::pixel::PixelStore;
@@ -70,7 +70,7 @@ enum Frame {
 
 /// The names of a CallLists as offsets from the list base (section 5.4).
 pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>> {
-    let Some(size) = counts::list_name_size(type_) else {
+    let Some(size) = param_counts::list_name_size(type_) else {
         let what = name(type_);
         return Err(invalid_enum(format!(
             "{what} is no type of list names; use GL_UNSIGNED_BYTE, GL_UNSIGNED_INT, ..."
@@ -79,7 +79,7 @@ pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>
     if n < 0 {
         return Err(invalid_value(format!("n = {n} is negative")));
     }
-    let names = bytes.chunks_exact(size).take(counts::count(n));
+    let names = bytes.chunks_exact(size).take(param_counts::count(n));
     let mut all = Vec::new();
     all.try_reserve_exact(names.len()).map_err(|_| crate::error::out_of_memory("no memory left for list names"))?;
     all.extend(names.map(|b| match (type_, b) {
@@ -107,7 +107,7 @@ impl Context {
             return Err(invalid_operation(format!("list {} is open; call glEndList first", open.name)));
         }
         self.recorder.open = Some(OpenList { name: list, mode, commands: Vec::new() });
-        self.hooks.set_recording(true);
+        self.flags.set_recording(true);
         Ok(())
     }
 
@@ -115,9 +115,9 @@ impl Context {
         let Some(open) = self.recorder.open.take() else {
             return Err(invalid_operation("no list is open; call glNewList first"));
         };
-        self.hooks.set_recording(false);
+        self.flags.set_recording(false);
         self.recorder.names.insert(open.name, open.name);
-        self.recorder.lists.insert(open.name, Run::compile(open.commands).into());
+        self.recorder.lists.insert(open.name, ListVertices::compile(open.commands).into());
         Ok(())
     }
 

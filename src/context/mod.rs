@@ -4,14 +4,13 @@
 
 pub(crate) mod args;
 pub(crate) mod arrays;
-pub(crate) mod at_once;
 pub(crate) mod attrib;
 pub(crate) mod begin_end;
 pub(crate) mod buffers;
 pub(crate) mod capture;
 pub(crate) mod config;
+pub(crate) mod context_commands;
 pub(crate) mod convert;
-pub(crate) mod counts;
 pub(crate) mod draw_arrays;
 pub(crate) mod draw_source;
 #[cfg(test)]
@@ -22,22 +21,23 @@ pub(crate) mod errors;
 pub(crate) mod fetch;
 pub(crate) mod flush;
 pub(crate) mod fragment_state;
-pub(crate) mod frame;
 pub(crate) mod get;
 pub(crate) mod get_limits;
 pub(crate) mod get_params;
 pub(crate) mod hooks;
+pub(crate) mod immediate_fast;
 pub(crate) mod lighting_state;
+pub(crate) mod list_vertices;
 pub(crate) mod lists;
 pub(crate) mod matrices;
-pub(crate) mod own;
+pub(crate) mod param_counts;
 pub(crate) mod params;
 pub(crate) mod pixel_state;
 pub(crate) mod pixels_arg;
 pub(crate) mod queries;
 pub(crate) mod raster_state;
+pub(crate) mod readback;
 pub(crate) mod recorder;
-pub(crate) mod run;
 pub mod table;
 pub(crate) mod tex_image;
 pub(crate) mod tex_query;
@@ -61,9 +61,9 @@ use engine::Engine;
 
 /// What a command has to look at before it reaches the engine: one byte, zero in the common case.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Hooks(u8);
+pub(crate) struct CallFlags(u8);
 
-impl Hooks {
+impl CallFlags {
     const TRACING: u8 = 1;
     const RECORDING: u8 = 2;
 
@@ -98,7 +98,7 @@ impl Hooks {
 /// A GL context: all state, all objects, a framebuffer, and the commands as methods.
 pub struct Context {
     pub(crate) engine: Engine,
-    pub(crate) hooks: Hooks,
+    pub(crate) flags: CallFlags,
     pub(crate) error: Option<Box<Error>>,
     pub(crate) recorder: recorder::Recorder,
     pub(crate) debug: Option<DebugCallback>,
@@ -124,7 +124,7 @@ impl Context {
     pub(crate) fn from_engine(engine: Engine) -> Self {
         Self {
             engine,
-            hooks: Hooks::default(),
+            flags: CallFlags::default(),
             error: None,
             recorder: recorder::Recorder::default(),
             debug: None,
@@ -136,6 +136,6 @@ impl Context {
 
 impl std::fmt::Debug for Context {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Context").field("error", &self.error).field("hooks", &self.hooks).finish_non_exhaustive()
+        f.debug_struct("Context").field("error", &self.error).field("flags", &self.flags).finish_non_exhaustive()
     }
 }

@@ -2,7 +2,7 @@
 //! vector of commands in the one form that the engine knows; attributes stand in the vector itself, because there are
 //! many of them, everything else in a box. Calling and compiling lists is in `lists`.
 
-use super::run::Run;
+use super::list_vertices::ListVertices;
 use super::table::{evaluators, fragment, imaging, lighting, lists, pixels, raster, texture, transform, vertex};
 use super::{Context, Pixels};
 use crate::enums::{GL_COMPILE_AND_EXECUTE, GLenum};
@@ -16,7 +16,7 @@ pub(crate) enum Command {
     /// Begin, End and the attributes between them.
     Vertex(vertex::Op),
     /// A Begin/End pair as an array of vertices.
-    Run(Box<Run>),
+    VertexArray(Box<ListVertices>),
     /// A call of a list.
     Call(u32),
     /// Calls of lists by offsets from the list base.
@@ -68,7 +68,7 @@ impl Command {
     pub(crate) fn run(&self, cx: &mut Context) {
         match self {
             Command::Vertex(op) => op.run(cx),
-            Command::Run(run) => run.run(cx),
+            Command::VertexArray(vertices) => vertices.run(cx),
             Command::Other(other) => other.run(cx),
             Command::Call(_) | Command::Calls(_) => {}
         }

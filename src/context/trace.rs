@@ -136,7 +136,7 @@ impl Context {
     /// Calls `callback` with every command before it is carried out; `None` ends that. Where a draw has made a new plan, a
     /// line called `plan` follows with what is kept, hoisted and left out ([`Context::explain`] has the reasons).
     pub fn set_trace_callback(&mut self, callback: Option<TraceCallback>) {
-        self.hooks.set_tracing(callback.is_some());
+        self.flags.set_tracing(callback.is_some());
         self.trace = callback;
     }
 

@@ -141,7 +141,7 @@ fn keeps_bytes(cx: &Context, job: &MipmapJob<'_>) -> bool {
         && PixelFormat::new(job.format, job.type_).is_ok_and(|pixel| pixel.kind() == PixelKind::Color)
         && InternalFormat::of_tex_image(job.internal_format).is_ok_and(keeps)
         && cx.engine.transfer().keeps_colors()
-        && !cx.hooks.recording()
+        && !cx.flags.recording()
 }
 
 /// Hands levels to the GL as floats; `grid` is level `at`.

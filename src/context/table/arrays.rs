@@ -5,7 +5,7 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
     canonical {}
     commands {}
     forms {}
-    own {
+    context {
         /// Issues the vertex of an index of the enabled arrays (section 2.8).
         begin glArrayElement | glArrayElementEXT array_element(i: i32);
         /// Draws a primitive of consecutive elements of the enabled arrays (section 2.8). `INVALID_VALUE` for a negative
@@ -91,7 +91,7 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         get_buffer_parameter(target: enum, pname: enum);
         get_buffer_pointer(target: enum, pname: enum);
     }
-    handmade {
+    manual {
         list glMultiDrawElements | glMultiDrawElementsEXT;
         now glMapBuffer | glMapBufferARB;
     }

@@ -64,7 +64,7 @@ macro_rules! evaluators_table { ($generate:ident) => { $generate! {
             begin glEvalCoord2dv eval_coord2dv(u: [f64; 2]) => eval_coord2(u[0], u[1]);
         }
     }
-    own {}
+    context {}
     now {}
     queries {
         family "Coefficients, order or domain of a map (section 6.1.3)." {
@@ -76,7 +76,7 @@ macro_rules! evaluators_table { ($generate:ident) => { $generate! {
     answers {
         get_map(target: enum, query: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

@@ -63,7 +63,7 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
         list glEndQuery | glEndQueryARB end_query(target: enum);
     }
     forms {}
-    own {}
+    context {}
     now {
         /// Makes names of queries that are not in use (section 4.1.7).
         now glGenQueries | glGenQueriesARB gen_queries(n: i32, ids: (out u32: count(n)));
@@ -87,7 +87,7 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
         get_query(target: enum, pname: enum);
         get_query_object(id: uint, pname: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

@@ -15,7 +15,7 @@ macro_rules! allowed_inside {
 /// Whether a recorded command is carried out at once although a list is open: images of proxy targets are.
 macro_rules! immediate {
     (proxy, $target:ident $(, $rest:ident)*) => {
-        $crate::context::counts::is_proxy($target)
+        $crate::context::param_counts::is_proxy($target)
     };
     ($class:ident $(, $a:ident)*) => {
         false
@@ -31,7 +31,7 @@ macro_rules! ops {
         #[allow(clippy::enum_variant_names, reason = "an op carries the name of the command in C")]
         #[derive(Clone, Debug)]
         pub(crate) enum Op {
-            $( $name { $($a: $crate::context::table::kinds::owned_ty!($k)),* }, )*
+            $( $name { $($a: $crate::context::table::arg_kinds::owned_ty!($k)),* }, )*
         }
 
         impl Op {
@@ -43,25 +43,25 @@ macro_rules! ops {
                         if !$crate::context::table::generate::allowed_inside!($class) && cx.engine.inside_begin_end() {
                             return cx.refuse_inside(stringify!($name));
                         }
-                        let result = cx.engine.$snake($($crate::context::table::kinds::lent!($k, $a)),*);
-                        cx.settle(stringify!($name), result)
+                        let result = cx.engine.$snake($($crate::context::table::arg_kinds::lent!($k, $a)),*);
+                        cx.record_result(stringify!($name), result)
                     } )*
                 }
             }
         }
 
         #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
-        impl $crate::context::table::Run {
+        impl $crate::context::table::Dispatch {
             $(
                 #[inline]
                 #[track_caller]
                 pub(crate) fn $snake(
                     cx: &mut $crate::context::Context,
                     name: &'static str,
-                    $($a: $crate::context::table::kinds::engine_ty!($k)),*
+                    $($a: $crate::context::table::arg_kinds::engine_ty!($k)),*
                 ) {
-                    if cx.hooks.recording() && !$crate::context::table::generate::immediate!($class $(, $a)*) {
-                        let op = Op::$name { $($a: $crate::context::table::kinds::owned!($k, cx, name, $a)),* };
+                    if cx.flags.recording() && !$crate::context::table::generate::immediate!($class $(, $a)*) {
+                        let op = Op::$name { $($a: $crate::context::table::arg_kinds::owned!($k, cx, name, $a)),* };
                         if !cx.record(name, op) {
                             return;
                         }
@@ -70,7 +70,7 @@ macro_rules! ops {
                         return cx.refuse_inside(name);
                     }
                     let result = cx.engine.$snake($($a),*);
-                    cx.settle(name, result);
+                    cx.record_result(name, result);
                     if const { $crate::context::errors::tells(!$crate::context::table::generate::allowed_inside!($class), stringify!($snake)) } {
                         cx.deliver(name);
                     }
@@ -90,7 +90,7 @@ macro_rules! fallbacks {
                 #[cold]
                 fn $snake(
                     &mut self,
-                    $($a: $crate::context::table::kinds::engine_ty!($k)),*
+                    $($a: $crate::context::table::arg_kinds::engine_ty!($k)),*
                 ) -> $crate::error::Outcome<$crate::context::table::generate::or_unit!($($r)?)> {
                     $( let _ = $a; )*
                     Err($crate::context::errors::missing(stringify!($snake)))
@@ -103,7 +103,7 @@ macro_rules! fallbacks {
 
 /// A question to the engine. The open display list is the context's own affair.
 macro_rules! ask {
-    ($cx:ident, get($pname:expr)) => { $crate::context::own::get($cx, $pname) };
+    ($cx:ident, get($pname:expr)) => { $crate::context::context_commands::get($cx, $pname) };
     ($cx:ident, $query:ident($($e:expr),*)) => { $cx.engine.$query($($e),*) };
 }
 
@@ -121,10 +121,10 @@ macro_rules! or_unit {
 macro_rules! enter {
     ($cx:ident, $name:expr, $( $a:ident : $k:tt ),*) => {
         $( #[allow(unused_mut, reason = "only memory that is written needs it")]
-           let mut $a = $crate::context::table::kinds::plain!($k, $a); )*
+           let mut $a = $crate::context::table::arg_kinds::plain!($k, $a); )*
         $( let _ = &mut $a; )*
-        if $cx.hooks.tracing() {
-            $cx.trace($name, &[ $( (stringify!($a), $crate::context::table::kinds::shown!($k, $a)) ),* ]);
+        if $cx.flags.tracing() {
+            $cx.trace($name, &[ $( (stringify!($a), $crate::context::table::arg_kinds::shown!($k, $a)) ),* ]);
         }
     };
 }
@@ -137,14 +137,14 @@ macro_rules! chapter {
             $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
         forms { $( family $sentence:literal { $( $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident ( $($fe:expr),* ) ; )* } )* }
-        own { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
+        context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
             $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
         queries { $( family $q_sentence:literal { $( $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident ( $($qe:expr),* ) ; )* } )* }
         answers { $( $answer:ident ( $($aa:ident : $ak:tt),* ) ; )* }
-        handmade { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* ; )* }
+        manual { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* ; )* }
     ) => {
         #[allow(unused_imports, reason = "a chapter may have nothing to ask")]
         use $crate::context::hooks::Questions as _;
@@ -156,7 +156,7 @@ macro_rules! chapter {
         $crate::context::table::generate::fallbacks! {
             $( $snake ( $($a : $k),* ) ; )*
             $( $c_snake ( $($ca : $ck),* ) ; )*
-            $( $n_snake ( $($na : $nk),* ) $(-> $crate::context::table::kinds::return_ty!($nr))? ; )*
+            $( $n_snake ( $($na : $nk),* ) $(-> $crate::context::table::arg_kinds::return_ty!($nr))? ; )*
             $( $answer ( $($aa : $ak),* ) -> $crate::context::Values ; )*
         }
 
@@ -179,11 +179,11 @@ macro_rules! chapter {
                 #[doc = concat!("\n\nIn C: `", stringify!($c_name), "`.")]
                 #[inline]
                 #[track_caller]
-                pub fn $c_snake<'a>(&mut self, $($ca: $crate::context::table::kinds::door_ty!($ck)),*) {
+                pub fn $c_snake<'a>(&mut self, $($ca: $crate::context::table::arg_kinds::door_ty!($ck)),*) {
                     let (cx, name) = (self, stringify!($c_name));
                     $crate::context::table::generate::enter!(cx, name, $($ca : $ck),*);
-                    $( let $ca = $crate::context::table::kinds::checked!($ck, cx, name, $ca); )*
-                    $crate::context::table::Run::$c_snake(cx, name, $($ca),*)
+                    $( let $ca = $crate::context::table::arg_kinds::checked!($ck, cx, name, $ca); )*
+                    $crate::context::table::Dispatch::$c_snake(cx, name, $($ca),*)
                 }
             )*
             $( $(
@@ -191,11 +191,11 @@ macro_rules! chapter {
                 #[doc = concat!("\n\nIn C: `", stringify!($f_name), "`.")]
                 #[inline]
                 #[track_caller]
-                pub fn $f_snake<'a>(&mut self, $($fa: $crate::context::table::kinds::door_ty!($fk)),*) {
+                pub fn $f_snake<'a>(&mut self, $($fa: $crate::context::table::arg_kinds::door_ty!($fk)),*) {
                     let (cx, name) = (self, stringify!($f_name));
                     $crate::context::table::generate::enter!(cx, name, $($fa : $fk),*);
-                    $( let $fa = $crate::context::table::kinds::checked!($fk, cx, name, $fa); )*
-                    $crate::context::table::Run::$op(cx, name, $($fe),*)
+                    $( let $fa = $crate::context::table::arg_kinds::checked!($fk, cx, name, $fa); )*
+                    $crate::context::table::Dispatch::$op(cx, name, $($fe),*)
                 }
             )* )*
             $(
@@ -203,12 +203,12 @@ macro_rules! chapter {
                 #[doc = concat!("\n\nIn C: `", stringify!($o_name), "`.")]
                 #[track_caller]
                 pub fn $o_snake<'a>(
-                    &mut self, $($oa: $crate::context::table::kinds::door_ty!($ok)),*
-                ) $(-> $crate::context::table::kinds::return_ty!($or))? {
+                    &mut self, $($oa: $crate::context::table::arg_kinds::door_ty!($ok)),*
+                ) $(-> $crate::context::table::arg_kinds::return_ty!($or))? {
                     let (cx, name) = (self, stringify!($o_name));
                     $crate::context::table::generate::enter!(cx, name, $($oa : $ok),*);
-                    $( let $oa = $crate::context::table::kinds::checked!($ok, cx, name, $oa); )*
-                    $crate::context::own::$o_snake(cx, name, $($oa),*)
+                    $( let $oa = $crate::context::table::arg_kinds::checked!($ok, cx, name, $oa); )*
+                    $crate::context::context_commands::$o_snake(cx, name, $($oa),*)
                 }
             )*
             $(
@@ -216,17 +216,17 @@ macro_rules! chapter {
                 #[doc = concat!("\n\nIn C: `", stringify!($n_name), "`.")]
                 #[track_caller]
                 pub fn $n_snake<'a>(
-                    &mut self, $($na: $crate::context::table::kinds::door_ty!($nk)),*
-                ) $(-> $crate::context::table::kinds::return_ty!($nr))? {
+                    &mut self, $($na: $crate::context::table::arg_kinds::door_ty!($nk)),*
+                ) $(-> $crate::context::table::arg_kinds::return_ty!($nr))? {
                     let (cx, name) = (self, stringify!($n_name));
                     $crate::context::table::generate::enter!(cx, name, $($na : $nk),*);
                     if cx.engine.inside_begin_end() {
                         return cx.refuse_inside(name);
                     }
-                    $( let $na = $crate::context::table::kinds::checked!($nk, cx, name, $na); )*
+                    $( let $na = $crate::context::table::arg_kinds::checked!($nk, cx, name, $na); )*
                     let result = cx.engine.$n_snake($($na),*);
                     cx.deliver(name);
-                    cx.settle(name, result)
+                    cx.record_result(name, result)
                 }
             )*
             $( $(
@@ -235,22 +235,22 @@ macro_rules! chapter {
                 #[track_caller]
                 pub fn $q_snake(
                     &mut self,
-                    $($qa: $crate::context::table::kinds::door_ty!($qk),)*
+                    $($qa: $crate::context::table::arg_kinds::door_ty!($qk),)*
                     params: &mut (impl $crate::context::OutSlice<$q_type> + ?Sized),
                 ) {
-                    if let Some(values) = $crate::context::table::Ask::$q_snake(self, $($qa),*) {
+                    if let Some(values) = $crate::context::table::Query::$q_snake(self, $($qa),*) {
                         self.answer(stringify!($q_name), &values, params.slice_mut())
                     }
                 }
             )* )*
         }
 
-        impl $crate::context::table::Ask {
+        impl $crate::context::table::Query {
             $( $(
                 #[track_caller]
                 pub(crate) fn $q_snake(
                     cx: &mut $crate::context::Context,
-                    $($qa: $crate::context::table::kinds::door_ty!($qk)),*
+                    $($qa: $crate::context::table::arg_kinds::door_ty!($qk)),*
                 ) -> Option<$crate::context::Values> {
                     let name = stringify!($q_name);
                     $crate::context::table::generate::enter!(cx, name, $($qa : $qk),*);

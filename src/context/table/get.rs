@@ -5,7 +5,7 @@ macro_rules! get_table { ($generate:ident) => { $generate! {
     canonical {}
     commands {}
     forms {}
-    own {
+    context {
         /// The code of the first error since the last question, or `NO_ERROR`; asking clears it (section 2.5).
         now glGetError get_error() -> enum;
     }
@@ -30,7 +30,7 @@ macro_rules! get_table { ($generate:ident) => { $generate! {
         get(pname: enum);
         get_pointer(pname: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

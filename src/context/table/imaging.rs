@@ -62,7 +62,7 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
             list glConvolutionParameterfv | glConvolutionParameterfvEXT convolution_parameterfv(target: enum, pname: enum, params: (slice f32: imaging_parameter(pname))) => convolution_parameter(target, pname, &Params::floats(params));
         }
     }
-    own {}
+    context {}
     now {
         /// Writes a colour table under the pack state (section 6.1.7).
         now glGetColorTable | glGetColorTableEXT | glGetColorTableSGI get_color_table(target: enum, format: enum,
@@ -112,7 +112,7 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
         get_histogram_parameter(target: enum, pname: enum);
         get_minmax_parameter(target: enum, pname: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

@@ -45,7 +45,7 @@ macro_rules! lighting_table { ($generate:ident) => { $generate! {
             list glFogfv fogfv(pname: enum, params: (slice f32: fog(pname))) => fog(pname, &Params::floats(params));
         }
     }
-    own {}
+    context {}
     now {}
     queries {
         family "A parameter of a light; positions are in eye coordinates (section 6.1.3)." {
@@ -61,7 +61,7 @@ macro_rules! lighting_table { ($generate:ident) => { $generate! {
         get_light(light: enum, pname: enum);
         get_material(face: enum, pname: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

@@ -20,7 +20,7 @@ macro_rules! lists_table {
                 list glPassThrough pass_through(token: f32);
             }
             forms {}
-            own {
+            context {
                 /// Opens a display list (section 5.4): `COMPILE` only records, `COMPILE_AND_EXECUTE` also carries out.
                 /// `INVALID_VALUE` for the name 0, `INVALID_ENUM` for other modes, `INVALID_OPERATION` if one is open.
                 now glNewList new_list(list: uint, mode: enum);
@@ -32,7 +32,7 @@ macro_rules! lists_table {
                 /// Carries out several lists (section 5.4). `INVALID_ENUM` for other types than the integers, `FLOAT` and
                 /// `2_BYTES` to `4_BYTES`, `INVALID_VALUE` for a negative count.
                 begin glCallLists call_lists(n: i32, type_: enum,
-                    lists: (bytes crate::context::counts::list_names(n, type_)));
+                    lists: (bytes crate::context::param_counts::list_names(n, type_)));
                 /// Reserves a run of names of lists and returns the first one, or 0 (section 5.4). `INVALID_VALUE` for a negative
                 /// count.
                 now glGenLists gen_lists(range: i32) -> uint;
@@ -49,7 +49,7 @@ macro_rules! lists_table {
             }
             queries {}
             answers {}
-            handmade {
+            manual {
                 now glRenderMode;
                 now glFeedbackBuffer;
                 now glSelectBuffer;

@@ -6,18 +6,18 @@
 //! - `canonical`: commands in the one form that the engine knows, without a door of their own.
 //! - `commands`: commands that have only one form; the row is the canonical command and the door.
 //! - `forms`: typed doors (`=>` says which canonical command with which arguments), grouped in families by a sentence.
-//! - `own`: commands that the context carries out itself, in `own.rs`.
+//! - `context`: commands that the context carries out itself, in `context_commands.rs`.
 //! - `now`: commands that are carried out at once, even while a display list is open.
 //! - `queries` and `answers`: typed questions and the engine's one answer to each.
-//! - `handmade`: rows whose doors are written by hand, because C's pointers have no equivalent.
+//! - `manual`: rows whose doors are written by hand, because C's pointers have no equivalent.
 //!
 //! A row is `class glName | glAliasARB snake_name(argument: kind, ...) -> result`. Classes: `begin` may stand between Begin
 //! and End and is recorded in lists; `list` is recorded only; `proxy` is a `list` command that is carried out at once when
 //! its first argument is a proxy target; `now` is never recorded.
 //!
-//! # Kinds of arguments (see `kinds.rs`)
+//! # Kinds of arguments (see `arg_kinds.rs`)
 //! `enum`, `bits`, `uint`, Rust's scalars, `int`, `float`, `bool` and `size` (doors take what C would convert); `[f32; 4]` a vector of
-//! fixed length; `(slice f32: light(pname))` and `(out u32: count(n))` with a count from `counts.rs`; `(rect [w, h],
+//! fixed length; `(slice f32: light(pname))` and `(out u32: count(n))` with a count from `param_counts.rs`; `(rect [w, h],
 //! format, type)` pixels under the unpack state and `(rect_out ..)` under the pack state; `(bytes n)`; `array` a vertex
 //! array; `(indices count, type)`; `{T}`, `params` and `matrix` in canonical rows only.
 //!
@@ -52,13 +52,13 @@
 //! and what `hooks.rs` asks: `inside_begin_end()`, `current_list_base()`, `unpack_store()`, `array_element_values(..)`, ...
 //! `Params` (in `params.rs`) knows the form that was called; `Values` (in `values.rs`) is converted to the type that asked.
 
+pub(crate) mod arg_kinds;
 pub(crate) mod arrays;
 pub(crate) mod evaluators;
 pub(crate) mod fragment;
 pub(crate) mod generate;
 pub(crate) mod get;
 pub(crate) mod imaging;
-pub(crate) mod kinds;
 pub(crate) mod lighting;
 pub(crate) mod lists;
 pub(crate) mod pixels;
@@ -72,10 +72,10 @@ mod versions;
 pub(crate) mod vertex;
 
 /// The way of every canonical command to the engine: one associated function each, made by the chapters.
-pub(crate) struct Run;
+pub(crate) struct Dispatch;
 
 /// The answers to the typed queries before they take the type that was asked for: one associated function each.
-pub(crate) struct Ask;
+pub(crate) struct Query;
 
 /// When a command is allowed and whether a display list records it.
 #[cfg(test)]

@@ -38,7 +38,7 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
                 => pixel_map(map, &map_of(map, values));
         }
     }
-    own {}
+    context {}
     now {
         /// Reads pixels of the read buffer under the pack state (section 4.3.2).
         now glReadPixels read_pixels(x: i32, y: i32, width: i32, height: i32, format: enum, type_: enum,
@@ -54,7 +54,7 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
     answers {
         get_pixel_map(map: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

@@ -39,14 +39,14 @@ macro_rules! raster_table { ($generate:ident) => { $generate! {
             list glPointParameterfv | glPointParameterfvARB | glPointParameterfvEXT point_parameterfv(pname: enum, params: (slice f32: point_parameter(pname))) => point_parameter(pname, &Params::floats(params));
         }
     }
-    own {}
+    context {}
     now {
         /// Writes the polygon stipple pattern under the pack state (section 6.1.6).
         now glGetPolygonStipple get_polygon_stipple(mask: (rect_out [32, 32], GL_COLOR_INDEX, GL_BITMAP));
     }
     queries {}
     answers {}
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

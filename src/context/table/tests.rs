@@ -80,14 +80,14 @@ macro_rules! calls {
             $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
         forms { $( family $sentence:literal { $( $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident $f_call:tt ; )* } )* }
-        own { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
+        context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
             $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
         queries { $( family $q_sentence:literal { $( $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident $q_call:tt ; )* } )* }
         answers { $($answers:tt)* }
-        handmade { $($handmade:tt)* }
+        manual { $($manual:tt)* }
     ) => {
         &[
             $( (stringify!($c_name), |cx, _s| cx.$c_snake($(argument!($ck, _s)),*)), )*
@@ -121,14 +121,13 @@ fn class(name: &str) -> Class {
 }
 
 /// Rows that are written by hand and therefore are not among the calls.
-const HANDMADE: [&str; 5] =
-    ["glRenderMode", "glFeedbackBuffer", "glSelectBuffer", "glMultiDrawElements", "glMapBuffer"];
+const MANUAL: [&str; 5] = ["glRenderMode", "glFeedbackBuffer", "glSelectBuffer", "glMultiDrawElements", "glMapBuffer"];
 
 #[test]
 fn every_row_is_called_here() {
     let calls: Vec<&str> = CALLS.iter().copied().flatten().map(|call| call.0).collect();
     for row in super::rows() {
-        assert!(calls.contains(&row.name) || HANDMADE.contains(&row.name), "{}", row.name);
+        assert!(calls.contains(&row.name) || MANUAL.contains(&row.name), "{}", row.name);
     }
 }
 
@@ -189,6 +188,6 @@ fn no_argument_makes_a_recorded_command_panic() {
             let _ = cx.check();
             cx.call_list(i as u32 + 1);
         }
-        assert!(!cx.hooks.recording() || *name == "glNewList", "{name}");
+        assert!(!cx.flags.recording() || *name == "glNewList", "{name}");
     }
 }

@@ -94,7 +94,7 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
             list glTexEnvfv tex_envfv(target: enum, pname: enum, params: (slice f32: tex_env(pname))) => tex_env(target, pname, &Params::floats(params));
         }
     }
-    own {}
+    context {}
     now {
         /// Makes names of textures that are not in use (section 3.8.12).
         now glGenTextures | glGenTexturesEXT gen_textures(n: i32, textures: (out u32: count(n)));
@@ -132,7 +132,7 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
         get_tex_level_parameter(target: enum, level: i32, pname: enum);
         get_tex_env(target: enum, pname: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

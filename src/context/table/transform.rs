@@ -86,7 +86,7 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
                 => tex_gen(coord, pname, &Params::doubles(params));
         }
     }
-    own {}
+    context {}
     now {}
     queries {
         family "What TexGen has set (section 6.1.3)." {
@@ -102,7 +102,7 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
         get_tex_gen(coord: enum, pname: enum);
         get_clip_plane_values(plane: enum);
     }
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

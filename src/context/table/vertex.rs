@@ -261,11 +261,11 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
             list glRectdv rectdv(v1: [f64; 2], v2: [f64; 2]) => rect(corners(*v1, *v2));
         }
     }
-    own {}
+    context {}
     now {}
     queries {}
     answers {}
-    handmade {}
+    manual {}
 } } }
 
 use super::generate::chapter;

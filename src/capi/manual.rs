@@ -2,7 +2,7 @@
 
 use super::osmesa::ClientBuffer;
 use super::{current, memory};
-use crate::context::{Indices, counts};
+use crate::context::{Indices, param_counts};
 use crate::enums::*;
 use std::ffi::c_void;
 
@@ -21,7 +21,7 @@ pub unsafe extern "C" fn glMultiDrawElements(
             return;
         }
         // SAFETY: the caller's promise.
-        let count = unsafe { memory::slice(count, counts::count(drawcount)) };
+        let count = unsafe { memory::slice(count, param_counts::count(drawcount)) };
         for (i, n) in count.iter().enumerate() {
             // SAFETY: the caller's promise.
             let list: Indices<'_> = unsafe { memory::indices(cx, *indices.add(i), *n, type_) };
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn glMultiDrawElementsEXT(
 pub unsafe extern "C" fn glFeedbackBuffer(size: i32, type_: GLenum, buffer: *mut f32) {
     current::with_handle(|os| {
         os.context.feedback_buffer(size, type_);
-        os.feedback = ClientBuffer { address: buffer, len: counts::count(size) };
+        os.feedback = ClientBuffer { address: buffer, len: param_counts::count(size) };
     });
 }
 
@@ -60,7 +60,7 @@ pub unsafe extern "C" fn glFeedbackBuffer(size: i32, type_: GLenum, buffer: *mut
 pub unsafe extern "C" fn glSelectBuffer(size: i32, buffer: *mut u32) {
     current::with_handle(|os| {
         os.context.select_buffer(size);
-        os.select = ClientBuffer { address: buffer, len: counts::count(size) };
+        os.select = ClientBuffer { address: buffer, len: param_counts::count(size) };
     });
 }
 

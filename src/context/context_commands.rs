@@ -1,6 +1,6 @@
 //! The commands that the context carries out itself: lists, draws that a list turns into vertices, the error flag, and
 //! the few whose C form keeps a pointer (OpenGL 1.5, sections 2.5, 2.8, 2.9, 5.2 to 5.4). The rows of the table that
-//! stand in the section `own` call the functions here; those in `handmade` are the methods at the end.
+//! stand in the section `context` call the functions here; those in `manual` are the methods at the end.
 
 use super::hooks::{ArrayElement, Questions as _};
 use super::recorder::Command;
@@ -36,7 +36,7 @@ fn outside<T: Default>(cx: &mut Context, name: &'static str, f: impl FnOnce(&mut
     }
     let result = f(cx);
     cx.deliver(name);
-    cx.settle(name, result)
+    cx.record_result(name, result)
 }
 
 #[track_caller]
@@ -66,7 +66,7 @@ pub(crate) fn is_list(cx: &mut Context, name: &'static str, list: u32) -> bool {
 
 #[track_caller]
 pub(crate) fn call_list(cx: &mut Context, name: &'static str, list: u32) {
-    if cx.hooks.recording() && !cx.record(name, Command::Call(list)) {
+    if cx.flags.recording() && !cx.record(name, Command::Call(list)) {
         return;
     }
     without_recording(cx, |cx| cx.run_lists(name, Box::new([list])));
@@ -79,7 +79,7 @@ pub(crate) fn call_lists(cx: &mut Context, name: &'static str, n: i32, type_: GL
         Ok(offsets) => offsets,
         Err(error) => return cx.fail(name, error),
     };
-    if cx.hooks.recording() && !cx.record(name, Command::Calls(offsets.clone())) {
+    if cx.flags.recording() && !cx.record(name, Command::Calls(offsets.clone())) {
         return;
     }
     let base = cx.engine.current_list_base();
@@ -92,9 +92,9 @@ pub(crate) fn call_lists(cx: &mut Context, name: &'static str, n: i32, type_: GL
 #[track_caller]
 fn without_recording(cx: &mut Context, f: impl FnOnce(&mut Context)) {
     let open = cx.recorder.open.take();
-    cx.hooks.set_recording(false);
+    cx.flags.set_recording(false);
     f(cx);
-    cx.hooks.set_recording(open.is_some());
+    cx.flags.set_recording(open.is_some());
     cx.recorder.open = open;
 }
 
@@ -137,11 +137,11 @@ fn record_elements(
 
 #[track_caller]
 pub(crate) fn array_element(cx: &mut Context, name: &'static str, i: i32) {
-    if cx.hooks.recording() && !record_elements(cx, name, None, std::iter::once(i)) {
+    if cx.flags.recording() && !record_elements(cx, name, None, std::iter::once(i)) {
         return;
     }
     let result = cx.engine.array_element(i);
-    cx.settle(name, result)
+    cx.record_result(name, result)
 }
 
 /// A draw: recorded as its vertices, or carried out. `indices` yields the elements for the record.
@@ -153,7 +153,7 @@ fn draw(
     indices: impl FnOnce(&mut Context) -> Outcome<Vec<i32>>,
     run: impl FnOnce(&mut Context) -> Outcome,
 ) {
-    if cx.hooks.recording() {
+    if cx.flags.recording() {
         let elements = cx.engine.check_draw(mode, count).and_then(|()| indices(cx));
         match elements {
             Ok(elements) => {
@@ -173,7 +173,7 @@ fn consecutive(first: i32, count: i32) -> Outcome<Vec<i32>> {
         return Err(invalid_value(format!("first = {first}, count = {count}: there are no such elements")));
     }
     let mut all = Vec::new();
-    all.try_reserve_exact(super::counts::count(count))
+    all.try_reserve_exact(super::param_counts::count(count))
         .map_err(|_| crate::error::out_of_memory("no memory left for the display list"))?;
     all.extend(first..first + count.max(0));
     Ok(all)
@@ -256,7 +256,7 @@ pub(crate) fn multi_draw_arrays(
 }
 
 /// The result of an engine method in whatever shape it comes.
-fn outcome<R: super::errors::Settle>(result: R) -> Outcome<R::Value> {
+fn outcome<R: super::errors::IntoOutcome>(result: R) -> Outcome<R::Value> {
     result.outcome()
 }
 
@@ -274,14 +274,14 @@ impl Context {
     ) {
         let name = "glMultiDrawElements";
         let lists = indices.lists();
-        if self.hooks.tracing() {
+        if self.flags.tracing() {
             self.trace(
                 name,
                 &[("count", &count.slice()), ("type", &super::trace::Enumerant(type_)), ("indices", &lists)],
             );
         }
         for (count, indices) in count.slice().iter().zip(&lists) {
-            let needed = super::counts::indices(*count, type_);
+            let needed = super::param_counts::indices(*count, type_);
             match indices {
                 Indices::Bytes(bytes) if bytes.len() < needed => {
                     return self.short(name, "indices", needed, bytes.len(), "bytes");
@@ -299,7 +299,7 @@ impl Context {
     #[track_caller]
     pub fn render_mode(&mut self, mode: GLenum) -> i32 {
         let name = "glRenderMode";
-        if self.hooks.tracing() {
+        if self.flags.tracing() {
             self.trace(name, &[("mode", &super::trace::Enumerant(mode))]);
         }
         outside(self, name, |cx| outcome(cx.engine.render_mode(mode)))
@@ -311,7 +311,7 @@ impl Context {
     #[track_caller]
     pub fn feedback_buffer(&mut self, size: i32, type_: GLenum) {
         let name = "glFeedbackBuffer";
-        if self.hooks.tracing() {
+        if self.flags.tracing() {
             self.trace(name, &[("size", &size), ("type", &super::trace::Enumerant(type_))]);
         }
         outside(self, name, |cx| outcome(cx.engine.feedback_buffer(size, type_)))
@@ -323,7 +323,7 @@ impl Context {
     #[track_caller]
     pub fn select_buffer(&mut self, size: i32) {
         let name = "glSelectBuffer";
-        if self.hooks.tracing() {
+        if self.flags.tracing() {
             self.trace(name, &[("size", &size)]);
         }
         outside(self, name, |cx| outcome(cx.engine.select_buffer(size)))
@@ -346,7 +346,7 @@ impl Context {
     #[track_caller]
     pub fn map_buffer(&mut self, target: GLenum, access: GLenum) -> Option<&mut [u8]> {
         let name = "glMapBuffer";
-        if self.hooks.tracing() {
+        if self.flags.tracing() {
             self.trace(
                 name,
                 &[("target", &super::trace::Enumerant(target)), ("access", &super::trace::Enumerant(access))],

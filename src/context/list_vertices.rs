@@ -1,5 +1,5 @@
 //! A Begin/End pair of a display list as an array of vertices (OpenGL 1.5, sections 2.6 and 5.4). When a list is closed,
-//! each long pair that holds nothing but attributes and vertices becomes a [`Run`], which is drawn like arrays: no command
+//! each long pair that holds nothing but attributes and vertices becomes a [`ListVertices`], which is drawn like arrays: no command
 //! is looked at again. Afterwards the current values are those that the commands would have left. Where a command would
 //! fail or has more to do, the run is taken apart into the commands again.
 
@@ -23,7 +23,7 @@ const INDEX: u32 = 1 << 31;
 
 /// A Begin/End pair.
 #[derive(Clone, Debug)]
-pub(crate) struct Run {
+pub(crate) struct ListVertices {
     mode: GLenum,
     /// Positions and those attributes that are given within the pair.
     vertices: VertexStore,
@@ -111,7 +111,7 @@ impl Collector {
     }
 }
 
-impl Run {
+impl ListVertices {
     /// The pair that a list goes on with, and how many commands it has.
     fn new(commands: &[Command], collector: impl FnOnce() -> Collector) -> Option<(Self, usize)> {
         let (Command::Vertex(Op::glBegin { mode }), rest) = commands.split_first()? else { return None };
@@ -156,7 +156,7 @@ impl Run {
             if i < skip {
                 return None;
             }
-            let (run, len) = Run::new(commands.get(i..)?, collector)?;
+            let (run, len) = ListVertices::new(commands.get(i..)?, collector)?;
             skip = i + len;
             Some((i, run, len))
         });
@@ -164,7 +164,7 @@ impl Run {
         let mut commands = commands.into_iter();
         for (start, run, len) in runs {
             compiled.extend(commands.by_ref().take(start - at));
-            compiled.push(Command::Run(Box::new(run)));
+            compiled.push(Command::VertexArray(Box::new(run)));
             commands.by_ref().take(len).for_each(drop);
             at = start + len;
         }
@@ -179,7 +179,7 @@ impl Run {
         if engine.inside_begin_end() || self.q_units & !engine.q_units != 0 {
             return self.commands(|op| op.run(cx));
         }
-        engine.draw_run(self);
+        engine.draw_list_vertices(self);
     }
 
     /// The commands that the pair was made of, in an order that means the same.
@@ -228,7 +228,7 @@ impl Run {
 
 impl Engine {
     /// Draws a run outside of Begin and End, and leaves the current values that it leaves.
-    fn draw_run(&mut self, run: &Run) {
+    fn draw_list_vertices(&mut self, run: &ListVertices) {
         self.validate();
         self.run_vertices();
         self.pipe.worker.processor.batch.splat(&self.state.current, self.pipe.plan.needs);

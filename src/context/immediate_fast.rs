@@ -9,9 +9,9 @@ use super::engine::Engine;
 use crate::enums::{GL_TEXTURE0, GLenum};
 
 /// The common path of each command.
-pub(crate) struct AtOnce;
+pub(crate) struct ImmediateFast;
 
-impl AtOnce {
+impl ImmediateFast {
     /// A vertex that is not the last of its batch.
     #[inline(always)]
     pub(crate) fn vertex(engine: &mut Engine, position: [f32; 4]) -> bool {
@@ -84,7 +84,7 @@ impl AtOnce {
 
 /// The first of two pieces of code for a command that has a common path, the second one for all others.
 #[cfg(feature = "capi")]
-macro_rules! if_at_once {
+macro_rules! if_immediate_fast {
     (vertex, { $($yes:tt)* }, $no:tt) => { $($yes)* };
     (color, { $($yes:tt)* }, $no:tt) => { $($yes)* };
     (secondary_color, { $($yes:tt)* }, $no:tt) => { $($yes)* };
@@ -97,4 +97,4 @@ macro_rules! if_at_once {
     ($op:ident, $yes:tt, { $($no:tt)* }) => { $($no)* };
 }
 #[cfg(feature = "capi")]
-pub(crate) use if_at_once;
+pub(crate) use if_immediate_fast;

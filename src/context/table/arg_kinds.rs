@@ -113,14 +113,14 @@ macro_rules! checked {
         }
     };
     ((slice $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $crate::context::counts::$($count)*;
+        let needed = $crate::context::param_counts::$($count)*;
         match $a.get(..needed) {
             Some(values) => values,
             None => return $cx.short($name, stringify!($a), needed, $a.len(), "values"),
         }
     }};
     ((out $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {{
-        let (needed, there) = ($crate::context::counts::$($count)*, $a.len());
+        let (needed, there) = ($crate::context::param_counts::$($count)*, $a.len());
         match $a.get_mut(..needed) {
             Some(values) => values,
             None => return $cx.short($name, stringify!($a), needed, there, "values"),
@@ -131,7 +131,7 @@ macro_rules! checked {
         &$a
     };
     ((bytes $size:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $crate::context::counts::size($size);
+        let needed = $crate::context::param_counts::size($size);
         if let Some(bytes) = $a.bytes()
             && bytes.len() < needed
         {
@@ -152,14 +152,14 @@ macro_rules! checked {
         $crate::context::PixelsMut::into_bytes($a)
     };
     ((bytes_out $size:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let (needed, bytes) = ($crate::context::counts::size($size), $crate::context::PixelsMut::into_bytes($a));
+        let (needed, bytes) = ($crate::context::param_counts::size($size), $crate::context::PixelsMut::into_bytes($a));
         if bytes.len() < needed {
             return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
         }
         bytes
     }};
     ((indices $count:ident, $type:ident), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $crate::context::counts::indices($count, $type);
+        let needed = $crate::context::param_counts::indices($count, $type);
         match &$a {
             $crate::context::Indices::Bytes(bytes) if bytes.len() < needed => {
                 return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
