@@ -7,7 +7,7 @@ use crate::enums::*;
 use crate::error::{Outcome, invalid_value};
 use crate::pixels::{ClientImage, ClientTarget, PixelFormat, Transfer};
 use crate::state::raster::HintMode;
-use crate::texture::s3tc::Fit;
+use crate::texture::format::BlockFit;
 
 impl Engine {
     pub(crate) fn pixel_storei(&mut self, pname: GLenum, param: i32) -> Outcome {
@@ -77,10 +77,10 @@ impl Engine {
     }
 
     /// How the blocks of compressed images are chosen from here on.
-    pub(crate) fn fit(&self) -> Fit {
+    pub(crate) fn fit(&self) -> BlockFit {
         match self.state.hint.texture_compression {
-            HintMode::Nicest => Fit::LeastSquares,
-            HintMode::DontCare | HintMode::Fastest => Fit::Extremes,
+            HintMode::Nicest => BlockFit::LeastSquares,
+            HintMode::DontCare | HintMode::Fastest => BlockFit::Extremes,
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::fragment::span::mip_fraction::even_rho2;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
 use crate::texture::batch::{Derivatives, TexBatch};
-use crate::texture::lod::RhoRanges;
+use crate::texture::rho_ranges::RhoRanges;
 
 /// What rounding leaves of sums and products of this many parts, generously: of `f64` (1/D has 2^-45) and of `f32`.
 const LOST_WIDE: f64 = 1.0 / (1u64 << 40) as f64;

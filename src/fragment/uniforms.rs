@@ -10,7 +10,7 @@ use crate::framebuffer::Band;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::color_buffer::{BlendEquation, BlendFactor};
 use crate::state::depth_stencil::StencilOp;
-use crate::texture::lod::RhoRanges;
+use crate::texture::rho_ranges::RhoRanges;
 
 /// The numbers behind a program.
 #[derive(Clone, Debug, Default)]

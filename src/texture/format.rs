@@ -96,6 +96,16 @@ pub enum S3tc {
     RgbaDxt5,
 }
 
+/// How the two colours of an S3TC block are chosen for texels that are given uncompressed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BlockFit {
+    /// Those of two texels.
+    #[default]
+    Extremes,
+    /// The pair that is nearest to all texels: least squares, as long as the error becomes less.
+    LeastSquares,
+}
+
 /// The sizes that GetTexLevelParameter reports (TEXTURE_RED_SIZE and so on); 0 for a component that is not there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ComponentSizes {

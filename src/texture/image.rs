@@ -4,9 +4,8 @@
 //! texels when it has a border, else what the wrap modes need there ([`Image::fill_padding`]), so that a linear filter
 //! reads texels i and i + 1 for every i in -1..N without a thought of wrapping.
 
-use super::format::{BaseFormat, InternalFormat, Storage};
+use super::format::{BaseFormat, BlockFit, InternalFormat, Storage};
 use super::padding::PaddingKey;
-use super::s3tc::Fit;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
 use crate::limits::MAX_IMAGE_TEXELS;
@@ -62,7 +61,7 @@ pub struct Image {
     pub compressed: Option<Vec<u8>>,
     /// How its blocks are chosen when texels are given uncompressed: the TEXTURE_COMPRESSION_HINT of the command that
     /// specified it. Parts written later and the levels below it follow.
-    pub fit: Fit,
+    pub fit: BlockFit,
     /// Whether alpha is known to be 255 in every texel, border texels included.
     pub(super) opaque: bool,
     /// What the ring is filled for now; `None` when it holds border texels or nothing yet.
@@ -151,7 +150,7 @@ impl Image {
             border,
             texels: Texels::zeroed(format.storage, len)?,
             compressed: None,
-            fit: Fit::default(),
+            fit: BlockFit::default(),
             opaque: false,
             padded_for: None,
             bordered: None,

@@ -14,6 +14,7 @@ pub mod mipmap;
 pub mod object;
 pub mod padding;
 pub mod readback;
+pub mod rho_ranges;
 pub mod s3tc;
 pub mod sampler;
 #[cfg(test)]

@@ -4,8 +4,8 @@
 
 use super::batch::TexBatch;
 use super::image::Image;
-use super::lod::level_ranges;
 use super::object::TextureObject;
+use super::rho_ranges::level_ranges;
 use crate::enums::*;
 use crate::limits::{MAX_TEXTURE_LEVELS, MAX_TEXTURE_LOD_BIAS};
 use crate::num::{clamp_f32, max_f32, min_f32};

@@ -2,9 +2,8 @@
 //! CopyTexImage. Whatever comes in is an RGBA colour or a depth; the base format takes its components, the texel is
 //! rounded to what the format keeps and stored expanded. Positions count from the interior, so a border is at -1.
 
-use super::format::{BaseFormat, InternalFormat, Storage};
+use super::format::{BaseFormat, BlockFit, InternalFormat, Storage};
 use super::image::{Dimensions, Image, Texels};
-use super::s3tc::Fit;
 use crate::error::{Outcome, invalid_operation, invalid_value};
 use crate::pixels::element::{from_rgba8, to_rgba8};
 use crate::pixels::{ClientImage, PixelFormat, PixelKind, Transfer};
@@ -38,7 +37,7 @@ impl Image {
         border: u32,
         pixels: Option<&ClientImage<'_>>,
         transfer: Transfer<'_>,
-        fit: Fit,
+        fit: BlockFit,
     ) -> Outcome<Image> {
         let interior = size.map(|n| n.saturating_sub(2 * border));
         let mut image = Image::new(format, dimensions, interior, border)?;

@@ -23,8 +23,8 @@ use crate::simd::{Level, Stage, Step};
 use crate::state::State;
 use crate::state::color_buffer::{ColorBufferName, LogicOp};
 use crate::state::depth_stencil::StencilOp;
-use crate::texture::lod::RhoRanges;
 use crate::texture::object::TextureObject;
+use crate::texture::rho_ranges::RhoRanges;
 use crate::texture::uniforms::LinearImage;
 use std::fmt::{self, Display};
 

@@ -7,7 +7,7 @@ use crate::fragment::lod_bounds::{Axis, MipWeight};
 use crate::fragment::plane_eval::{Place, Projection};
 use crate::fragment::reference::texcoord::Unit;
 use crate::num::{log2_f32, max_f32};
-use crate::texture::lod::RhoRanges;
+use crate::texture::rho_ranges::RhoRanges;
 
 /// The derivatives along an axis of the window of the numerators of K coordinates, and of D.
 #[derive(Clone, Copy)]

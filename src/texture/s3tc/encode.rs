@@ -3,22 +3,12 @@
 //! takes the nearest colour of the palette; alpha takes its extremes. Two different colours are always kept. Under
 //! TEXTURE_COMPRESSION_HINT NICEST the two colours are then moved to where they fit best what the texels have chosen.
 
-use crate::texture::format::S3tc;
+use crate::texture::format::{BlockFit, S3tc};
 use crate::texture::s3tc::{alpha_palette, color_palette};
-
-/// How the two colours of a block are chosen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Fit {
-    /// Those of two texels.
-    #[default]
-    Extremes,
-    /// The pair that is nearest to all texels: least squares, as long as the error becomes less.
-    LeastSquares,
-}
 
 /// The block of 16 texels (packed R, G, B, A); DXT1 uses the first 8 bytes.
 #[must_use]
-pub(super) fn encode(kind: S3tc, texels: &[u32; 16], fit: Fit) -> [u8; 16] {
+pub(super) fn encode(kind: S3tc, texels: &[u32; 16], fit: BlockFit) -> [u8; 16] {
     let mut block = [0; 16];
     let color = |transparent: bool| encode_color(texels, transparent, fit);
     match kind {
@@ -148,12 +138,12 @@ impl ColorBlock<'_> {
     }
 }
 
-fn encode_color(texels: &[u32; 16], transparent: bool, fit: Fit) -> [u8; 8] {
+fn encode_color(texels: &[u32; 16], transparent: bool, fit: BlockFit) -> [u8; 8] {
     let given = ColorBlock { texels, transparent };
     let of_texel = |t: u32| to_565(std::array::from_fn(|i| f64::from(channel(t, i))));
     let mut colors = given.choose(given.extremes().map(of_texel));
     // The error is a whole number that becomes less each time, so this ends.
-    while fit == Fit::LeastSquares
+    while fit == BlockFit::LeastSquares
         && let Some(better) = given.fit(&colors).map(|ends| given.choose(ends))
         && better.error < colors.error
     {
@@ -173,7 +163,7 @@ mod tests {
     use crate::texture::s3tc::split_565;
 
     /// The squared error of a block's colours.
-    fn error(texels: &[u32; 16], kind: S3tc, fit: Fit) -> u32 {
+    fn error(texels: &[u32; 16], kind: S3tc, fit: BlockFit) -> u32 {
         let shown = kind.decode(&encode(kind, texels, fit));
         shown.iter().zip(texels).map(|(&a, &b)| distance(a, b)).sum()
     }
@@ -198,12 +188,12 @@ mod tests {
                 of(0) | of(1) | of(2) | if next() % 8 == 0 { 0 } else { 0xFF00_0000 }
             });
             for kind in [S3tc::RgbDxt1, S3tc::RgbaDxt5] {
-                let errors = [Fit::Extremes, Fit::LeastSquares].map(|fit| error(&texels, kind, fit));
+                let errors = [BlockFit::Extremes, BlockFit::LeastSquares].map(|fit| error(&texels, kind, fit));
                 assert!(errors[1] <= errors[0], "{texels:x?}");
                 better += u32::from(errors[1] < errors[0]);
                 sums = [0, 1].map(|i| sums[i] + u64::from(errors[i]));
             }
-            let shown = S3tc::RgbaDxt1.decode(&encode(S3tc::RgbaDxt1, &texels, Fit::LeastSquares));
+            let shown = S3tc::RgbaDxt1.decode(&encode(S3tc::RgbaDxt1, &texels, BlockFit::LeastSquares));
             assert!(shown.iter().zip(texels).all(|(a, b)| a >> 24 == b >> 24), "holes stay where they are");
         }
         assert!(better > 3000, "{better} of 4000");
@@ -214,10 +204,10 @@ mod tests {
     fn a_ramp_gets_its_ends_back() {
         // Sixteen greys: two texels of the ends and noise free steps; least squares finds colours beyond the second.
         let texels: [u32; 16] = std::array::from_fn(|i| 0xFF00_0000 | (0x0001_0101 * (i as u32 * 17)));
-        let [low, high] = [Fit::LeastSquares, Fit::Extremes].map(|fit| error(&texels, S3tc::RgbDxt1, fit));
+        let [low, high] = [BlockFit::LeastSquares, BlockFit::Extremes].map(|fit| error(&texels, S3tc::RgbDxt1, fit));
         assert!(low < high, "{low} {high}");
         let [a, b] = [0, 2].map(|at| {
-            let block = encode(S3tc::RgbDxt1, &texels, Fit::LeastSquares);
+            let block = encode(S3tc::RgbDxt1, &texels, BlockFit::LeastSquares);
             split_565(u16::from_le_bytes([block[at], block[at + 1]]))
         });
         assert!(a[0] > b[0], "the first colour is the brighter one: {a:?} {b:?}");

@@ -8,7 +8,6 @@ mod encode;
 use super::format::{BaseFormat, InternalFormat, S3tc};
 use super::image::{Dimensions, Image, Texels, zeroed};
 use crate::error::{Outcome, invalid_operation, invalid_value};
-pub use encode::Fit;
 use encode::encode;
 
 impl S3tc {
@@ -228,6 +227,7 @@ mod tests {
     use crate::pixels::{ClientImage, PixelFormat, Transfer};
     use crate::simd::Level;
     use crate::state::pixel::PixelStore;
+    use crate::texture::format::BlockFit;
 
     fn find(name: u32) -> &'static InternalFormat {
         InternalFormat::find(name).unwrap()
@@ -291,17 +291,17 @@ mod tests {
             for (c0, c1) in [(0xFFFFu16, 0u16), (0xABCD, 0x1234), (0x8888, 0x8888)] {
                 let palette = color_palette(c0.max(c1), c0.min(c1), false);
                 let texels: [u32; 16] = std::array::from_fn(|i| palette[(i * 7 + i / 4) % 4]);
-                for fit in [Fit::Extremes, Fit::LeastSquares] {
+                for fit in [BlockFit::Extremes, BlockFit::LeastSquares] {
                     let block = encode(kind, &texels, fit);
                     assert_eq!(kind.decode(&block), texels, "{kind:?} {c0:x} {c1:x}");
                 }
             }
         }
         let holes: [u32; 16] = std::array::from_fn(|i| if i % 3 == 0 { 0 } else { 0xFF00_00FF });
-        assert_eq!(S3tc::RgbaDxt1.decode(&encode(S3tc::RgbaDxt1, &holes, Fit::LeastSquares)), holes);
+        assert_eq!(S3tc::RgbaDxt1.decode(&encode(S3tc::RgbaDxt1, &holes, BlockFit::LeastSquares)), holes);
         let fade: [u32; 16] = std::array::from_fn(|i| (i as u32 * 17) << 24);
-        assert_eq!(S3tc::RgbaDxt3.decode(&encode(S3tc::RgbaDxt3, &fade, Fit::Extremes)), fade);
-        let near = S3tc::RgbaDxt5.decode(&encode(S3tc::RgbaDxt5, &fade, Fit::Extremes));
+        assert_eq!(S3tc::RgbaDxt3.decode(&encode(S3tc::RgbaDxt3, &fade, BlockFit::Extremes)), fade);
+        let near = S3tc::RgbaDxt5.decode(&encode(S3tc::RgbaDxt5, &fade, BlockFit::Extremes));
         assert!(near.iter().zip(fade).all(|(a, b)| (a >> 24).abs_diff(b >> 24) <= 19));
     }
 
@@ -344,7 +344,7 @@ mod tests {
                     border,
                     Some(&client),
                     Transfer::NEUTRAL,
-                    Fit::default(),
+                    BlockFit::default(),
                 )
                 .unwrap()
             };

@@ -4,11 +4,11 @@ use crate::enums::*;
 use crate::pixels::{ClientImage, PixelFormat, Transfer, format};
 use crate::simd::Level;
 use crate::state::pixel::PixelStore;
+use crate::texture::format::BlockFit;
 use crate::texture::format::{BaseFormat, FORMATS, InternalFormat, Storage};
 use crate::texture::image::{Dimensions, Image, Texels};
 use crate::texture::mipmap;
 use crate::texture::padding::{Padding, PaddingKey};
-use crate::texture::s3tc::Fit;
 use crate::texture::wrap;
 
 fn find(name: GLenum) -> &'static InternalFormat {
@@ -42,9 +42,16 @@ fn noisy(format: GLenum, dimensions: Dimensions, full: [u32; 3], border: u32) ->
     let pixel = PixelFormat::new(pair.0, pair.1).unwrap();
     let size = full.map(|n| n as i32);
     let pixels = ClientImage::new_3d(&bytes, &PixelStore::TIGHT, size, pixel).unwrap();
-    let image =
-        Image::from_client(find(format), dimensions, full, border, Some(&pixels), Transfer::NEUTRAL, Fit::default())
-            .unwrap();
+    let image = Image::from_client(
+        find(format),
+        dimensions,
+        full,
+        border,
+        Some(&pixels),
+        Transfer::NEUTRAL,
+        BlockFit::default(),
+    )
+    .unwrap();
     (image, bytes)
 }
 
@@ -102,7 +109,7 @@ fn every_internal_format_takes_every_color_pair() {
                 0,
                 Some(&client),
                 Transfer::NEUTRAL,
-                Fit::default(),
+                BlockFit::default(),
             )
             .unwrap();
             for (x, y) in (0..5).flat_map(|x| (0..3).map(move |y| (x, y))) {
@@ -145,7 +152,7 @@ fn depth_formats_keep_their_bits_and_refuse_colors() {
             0,
             Some(&rgba(&[0; 4], [1, 1, 1])),
             Transfer::NEUTRAL,
-            Fit::default(),
+            BlockFit::default(),
         );
         assert_eq!(wrong.unwrap_err().code, GL_INVALID_OPERATION);
         let mut out = [0; 64];
@@ -383,7 +390,7 @@ fn levels_of_constants_ramps_and_known_texels() {
         0,
         Some(&rgba(&bytes, [7, 5, 1])),
         Transfer::NEUTRAL,
-        Fit::default(),
+        BlockFit::default(),
     )
     .unwrap();
     for level in mipmap::levels(&image, 9, Level::Baseline, &mut []).unwrap() {
@@ -400,7 +407,7 @@ fn levels_of_constants_ramps_and_known_texels() {
         0,
         Some(&rgba(&bytes, [2, 2, 1])),
         Transfer::NEUTRAL,
-        Fit::default(),
+        BlockFit::default(),
     )
     .unwrap();
     let levels = mipmap::levels(&image, 1, Level::Baseline, &mut []).unwrap();
@@ -417,7 +424,7 @@ fn levels_of_constants_ramps_and_known_texels() {
         0,
         Some(&client),
         Transfer::NEUTRAL,
-        Fit::default(),
+        BlockFit::default(),
     )
     .unwrap();
     for level in mipmap::levels(&image, 9, Level::Baseline, &mut []).unwrap() {
