@@ -12,8 +12,8 @@ use super::pixels_arg::{ArrayData, Indices, index_size};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::vertex::ElementOrder;
 use crate::vertex::cache::IndexList;
+use crate::vertex::source::ElementOrder;
 
 /// Elements beyond the end of the array of positions that DrawArrays still draws, as zeros.
 const ZEROS: usize = 1 << 16;

@@ -9,7 +9,7 @@ use crate::raster::Scene;
 use crate::vertex::cache::IndexList;
 use crate::vertex::draw_worker::{DrawWorker, SourceDraw, SplitSourceDraw};
 use crate::vertex::pipeline::VertexPipeline;
-use crate::vertex::{ElementOrder, VertexSource};
+use crate::vertex::source::{ElementOrder, VertexSource};
 
 /// The parts of the engine that a draw works with; the rest may be where its vertices are.
 pub(crate) struct Drawing<'a> {

@@ -9,7 +9,7 @@ use super::pixels_arg::ArrayData;
 use crate::enums::*;
 use crate::simd::LANES;
 use crate::vertex::batch::{Lanes, VertexBatch, needs};
-use crate::vertex::{Keys, VertexSource};
+use crate::vertex::source::{Keys, VertexSource};
 
 /// A number in memory.
 trait Stored: Coordinate + Component {

@@ -11,10 +11,10 @@ use crate::enums::*;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
 use crate::state::current::Current;
-use crate::vertex::batch::{VertexBatch, needs};
+use crate::vertex::batch::{self, VertexBatch, needs};
+use crate::vertex::source::ElementOrder;
 use crate::vertex::vertex_store::VertexStore;
 use crate::vertex::weld::Welded;
-use crate::vertex::{ElementOrder, triangle_list};
 
 /// Vertices from which on a pair becomes a run; shorter ones share batches with others as they are.
 const LEAST: usize = 48;
@@ -121,7 +121,7 @@ impl ListVertices {
             return None;
         }
         let mut c = collector();
-        c.each = triangle_list::block(*mode);
+        c.each = batch::block(*mode);
         for command in rest.iter().take(inner) {
             let Command::Vertex(op) = command else { return None };
             c.take(op)?;

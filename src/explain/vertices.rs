@@ -4,7 +4,8 @@
 use crate::fragment::program::{Decision, Fate};
 use crate::simd::Stage;
 use crate::state::State;
-use crate::vertex::plan::{VertFn, VertexPlan};
+use crate::vertex::plan::VertexPlan;
+use crate::vertex::stages::VertFn;
 use crate::vertex::stages::lighting::{LIGHT_CLEAR, LIGHT_DIFFUSE, LIGHT_LOCAL, LIGHT_SPECULAR};
 use crate::vertex::stages::normal::{NORMAL, NORMAL_UNIT};
 use crate::vertex::stages::tex_coord::{

@@ -7,6 +7,7 @@ use super::setup::line::LineInput;
 use super::setup::planes::SetupPlan;
 use super::setup::point::PointInput;
 use super::setup::triangle::TriangleInput;
+use super::sink::PrimitiveSink;
 use super::state::RasterState;
 use super::triangle_batch::corners::CornerLanes;
 use super::vertex::VertexRef;
@@ -57,23 +58,28 @@ impl<'a, P> PrimitiveBuilder<'a, P> {
         Self { draw, cx: SetupContext { rs: &draw.raster, plan, draw: index }, geometry, stipple }
     }
 
-    /// The draw.
-    #[must_use]
-    pub fn draw(&self) -> &Draw<P> {
-        self.draw
-    }
-
-    /// Files the small triangles that wait.
+    /// Sets up the triangles that wait in the batch.
     pub(super) fn flush_batch(&mut self) {
         self.geometry.flush_batch(&self.cx);
     }
 
-    /// Draws a triangle: three vertices in the order in which they were issued, which of them is the provoking vertex, and
-    /// whether the edge from each vertex to the next is a boundary edge of its polygon. Vertices must not need clipping.
+    /// Whether whole batches of triangles may be handed on ([`Self::triangles`], [`PrimitiveSink::take_batch`]), of
+    /// vertices with so many slots.
+    #[must_use]
+    pub fn can_batch(&self, stride: usize) -> bool {
+        SceneGeometry::can_batch(&self.cx, stride)
+    }
+
+    /// Draws triangles whose corners are some of many vertices; none must need clipping.
+    pub fn triangles(&mut self, vertices: &Vertices, triangles: &[[u32; 3]]) {
+        self.geometry.queue_all(&self.cx, vertices, triangles);
+    }
+}
+
+impl<P: FragmentProgram> PrimitiveSink for PrimitiveBuilder<'_, P> {
     #[inline]
-    pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
+    fn triangle(&mut self, [a, b, c]: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
         // Corner by corner: an index into the array would have it written and read again at once.
-        let [a, b, c] = v;
         let provoking = match provoking {
             0 => a.slots,
             1 => b.slots,
@@ -82,41 +88,29 @@ impl<'a, P> PrimitiveBuilder<'a, P> {
         self.geometry.triangle(&self.cx, &TriangleInput { v: [a, b, c], provoking, edges }, self.stipple);
     }
 
-    /// Whether [`Self::triangles`] and [`Self::group`] may be called with vertices of so many slots.
-    #[must_use]
-    pub fn takes_many(&self, stride: usize) -> bool {
-        SceneGeometry::takes_many(&self.cx, stride)
-    }
-
-    /// Draws triangles whose corners are some of many vertices; none must need clipping.
-    pub fn triangles(&mut self, vertices: &Vertices, triangles: &[[u32; 3]]) {
-        self.geometry.wait_all(&self.cx, vertices, triangles);
-    }
-
-    /// Draws so many triangles, at most a group of them, whose corners `fill` puts in place; none must need clipping.
-    pub fn group(&mut self, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
-        self.geometry.file_corners(&self.cx, count, fill);
-    }
-
-    /// Draws a line, of whose ends one is the provoking vertex. `restart` begins the stipple anew: at the first line of a
-    /// strip or loop, and at each line of `GL_LINES`.
-    pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+    fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
         self.flush_batch();
         if restart {
             *self.stipple = 0;
         }
-        let provoking = slots(&v, provoking);
+        let provoking = if provoking == 0 { v[0].slots } else { v[1].slots };
         self.geometry.line(&self.cx, &LineInput { v, provoking, back: false, offset: 0.0 }, self.stipple);
     }
 
-    /// Draws a point of the vertex's point size.
-    pub fn point(&mut self, v: VertexRef<'_>) {
+    fn point(&mut self, v: VertexRef<'_>) {
         self.flush_batch();
         self.geometry.point(&self.cx, &PointInput { v, provoking: v.slots, back: false, offset: 0.0 });
     }
-}
 
-/// The slots of a vertex.
-fn slots<'a>(v: &[VertexRef<'a>], i: usize) -> &'a [f32] {
-    v.get(i).map_or(&[], |v| v.slots)
+    fn culls(&self) -> [bool; 2] {
+        self.draw.culls()
+    }
+
+    fn takes_batches(&mut self, stride: usize) -> bool {
+        self.can_batch(stride)
+    }
+
+    fn take_batch(&mut self, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
+        self.geometry.add_lanes(&self.cx, count, fill);
+    }
 }

@@ -12,6 +12,7 @@ mod raster_thread;
 mod scene;
 mod scheduler;
 mod setup;
+mod sink;
 pub mod state;
 #[cfg(test)]
 mod testing;
@@ -24,6 +25,6 @@ pub use program_trait::FragmentProgram;
 pub use raster_thread::SetupFn;
 pub use scene::Scene;
 pub use scheduler::SplitDraw;
+pub use sink::PrimitiveSink;
 pub use state::RasterState;
 pub use triangle_batch::corners::CornerLanes;
-pub use vertex::VertexRef;

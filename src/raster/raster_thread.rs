@@ -190,6 +190,7 @@ impl<P> Drop for RasterThread<P> {
 
 #[cfg(test)]
 mod tests {
+    use crate::raster::PrimitiveSink;
     use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::raster::vertex::VertexRef;
     use std::panic::{AssertUnwindSafe, catch_unwind};

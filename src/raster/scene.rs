@@ -10,6 +10,8 @@ use super::program_trait::FragmentProgram;
 use super::raster_thread::{FramebufferLease, GeometryPool, RasterJob, RasterOptions, RasterThread, SetupFn};
 use super::scheduler::{BinnedGeometry, SplitDraw, SplitDrawRun};
 use super::setup::planes::SetupPlan;
+use super::sink::PrimitiveSink;
+use super::triangle_batch::corners::CornerLanes;
 use super::vertex::VertexRef;
 use super::worker_pool::WorkerPool;
 use crate::framebuffer::Framebuffer;
@@ -128,35 +130,6 @@ impl<P: FragmentProgram> Scene<P> {
         }
     }
 
-    /// Whether triangles are culled, or come to nothing, whose area in the window is positive (counter-clockwise), or is
-    /// not. Those need not be drawn at all.
-    #[must_use]
-    pub fn culls(&self) -> [bool; 2] {
-        self.draws.last().map_or([true; 2], |draw| draw.culls())
-    }
-
-    /// Draws a triangle: see [`PrimitiveBuilder::triangle`].
-    #[inline]
-    pub fn triangle(&mut self, v: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
-        if let Some(mut builder) = self.builder() {
-            builder.triangle(v, provoking, edges);
-        }
-    }
-
-    /// Draws a line: see [`PrimitiveBuilder::line`].
-    pub fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
-        if let Some(mut builder) = self.builder() {
-            builder.line(v, provoking, restart);
-        }
-    }
-
-    /// Draws a point of the vertex's point size.
-    pub fn point(&mut self, v: VertexRef<'_>) {
-        if let Some(mut builder) = self.builder() {
-            builder.point(v);
-        }
-    }
-
     /// Draws all that waits and forgets it, draws included. Returns how many fragments passed, as far as programs count.
     pub fn flush(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
         let samples = self.rasterise(framebuffer, threads);
@@ -226,6 +199,41 @@ impl<P: FragmentProgram> Scene<P> {
         let samples = binning::flush(&flush, framebuffer, (&self.workers, threads), &mut self.bins, &mut self.emitters);
         self.geometry.clear();
         before + samples
+    }
+}
+
+impl<P: FragmentProgram> PrimitiveSink for Scene<P> {
+    #[inline]
+    fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
+        if let Some(mut builder) = self.builder() {
+            builder.triangle(corners, provoking, edges);
+        }
+    }
+
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+        if let Some(mut builder) = self.builder() {
+            builder.line(ends, provoking, restart);
+        }
+    }
+
+    fn point(&mut self, vertex: VertexRef<'_>) {
+        if let Some(mut builder) = self.builder() {
+            builder.point(vertex);
+        }
+    }
+
+    fn culls(&self) -> [bool; 2] {
+        self.draws.last().map_or([true; 2], |draw| draw.culls())
+    }
+
+    fn takes_batches(&mut self, stride: usize) -> bool {
+        self.builder().is_some_and(|builder| builder.can_batch(stride))
+    }
+
+    fn take_batch(&mut self, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
+        if let Some(mut builder) = self.builder() {
+            builder.take_batch(count, fill);
+        }
     }
 }
 

@@ -2,7 +2,8 @@
 //! is told to interpolate, and helpers that make vertices of window positions.
 
 use super::vertex::Vertex;
-use super::{Draw, FragmentProgram, RasterState, Scene, VertexRef};
+use super::vertex::VertexRef;
+use super::{Draw, FragmentProgram, PrimitiveSink, RasterState, Scene};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{Layout, Plane, PlanePool, Planes};
 use crate::framebuffer::{Band, Framebuffer, FramebufferFormat};

@@ -9,15 +9,14 @@
 //!   QUAD_STRIP       0 1 3 2 ...                  cut so that both halves have vertex 3
 //! ```
 
-use super::Assembled;
-use super::batch::{VertexBatch, needs};
+use super::batch::{CullBatch, VertexBatch, needs};
 use super::clip::Clipper;
 use super::counts::VertexCounts;
-use super::cull::{CullBatch, is_outside};
+use super::cull::is_outside;
 use super::plan::VertexPlan;
-use super::processor::run;
 use super::transformed::TransformedVertices;
 use crate::enums::*;
+use crate::raster::PrimitiveSink;
 use crate::raster::vertex::{ScreenPosition, twice_area};
 use crate::simd::LANES;
 
@@ -76,7 +75,7 @@ impl VisiblePrimitive {
 
     /// Hands the primitive on.
     #[inline]
-    pub fn hand_on<S: Assembled>(
+    pub fn hand_on<S: PrimitiveSink>(
         &self,
         plan: &VertexPlan,
         pool: &TransformedVertices,
@@ -115,7 +114,7 @@ impl VisiblePrimitive {
 pub struct AssemblyOutput<'a> {
     /// The plan of the vertices.
     pub plan: &'a VertexPlan,
-    /// What the sink [culls](Assembled::culls).
+    /// What the sink [culls](PrimitiveSink::culls).
     pub culls: [bool; 2],
     /// Where stages look at triangles.
     pub batch: &'a mut VertexBatch,
@@ -158,7 +157,7 @@ impl AssemblyOutput<'_> {
         for block in triangles.chunks(LANES) {
             self.batch.triangles.n = block.len();
             pool.corners(block, &mut self.batch.triangles.corners);
-            run(self.plan, &[cull], self.batch);
+            self.plan.run(&[cull], self.batch);
             let CullBatch { mut seen, clipped, outside, culled, .. } = self.batch.triangles;
             self.counts.outside += u64::from(outside.count_ones());
             self.counts.culled += u64::from(culled.count_ones());

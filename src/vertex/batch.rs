@@ -2,7 +2,8 @@
 //! stages work on (positions in f64, colours in f32), and one array a slot of what is handed on. Stages never write to
 //! the input arrays, so a value that is the same for all vertices of a draw is filled in once.
 
-use super::cull::CullBatch;
+use crate::enums::{GL_TRIANGLES, GLenum};
+use crate::fragment::planes::GROUP;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
 use crate::raster::vertex::ScreenPosition;
 use crate::simd::LANES;
@@ -14,6 +15,14 @@ pub type F64Lanes = [f64; LANES];
 
 /// The greatest number of slots of a layout: colours, fog coordinate, coordinates of all units, back colours.
 pub const MAX_SLOTS: usize = 4 + 3 + 1 + 4 * MAX_TEXTURE_UNITS + 4 + 3;
+
+/// Vertices of a batch that is in step.
+pub const LIST_VERTICES: usize = 3 * GROUP;
+/// How many vertices of a primitive are best taken at a time.
+#[must_use]
+pub const fn block(mode: GLenum) -> usize {
+    if mode == GL_TRIANGLES { LIST_VERTICES } else { LANES }
+}
 
 /// Which attributes a plan reads; the others are not even copied into a batch.
 pub mod needs {
@@ -43,6 +52,33 @@ pub struct FaceSums {
     pub diffuse: [Lanes; 3],
     /// Specular light.
     pub specular: [Lanes; 3],
+}
+
+/// Triangles of placed vertices, and what becomes of them.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct CullBatch {
+    /// Where the corners are.
+    pub corners: [[ScreenPosition; LANES]; 3],
+    /// What becomes of each triangle: a bit of the cull stage.
+    pub(super) fate: [u64; LANES],
+    /// How many there are.
+    pub n: usize,
+    /// A bit for each triangle that can be seen.
+    pub seen: u64,
+    /// Those of them that must be clipped.
+    pub clipped: u64,
+    /// Those that are outside of the view volume.
+    pub outside: u64,
+    /// Those that are inside, and culled.
+    pub culled: u64,
+}
+
+impl Default for CullBatch {
+    fn default() -> Self {
+        let corners = [[ScreenPosition(0); LANES]; 3];
+        Self { corners, fate: [0; LANES], n: 0, seen: 0, clipped: 0, outside: 0, culled: 0 }
+    }
 }
 
 /// 64 vertices.

@@ -2,7 +2,7 @@
 //! indices: a chunk of the index list becomes a list of its different vertices, each once, and a list of ids that says
 //! how they are joined.
 
-use super::{ElementList, Keys};
+use super::source::{ElementList, Keys};
 use std::ops::Range;
 
 /// Different vertices of a chunk.

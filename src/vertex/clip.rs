@@ -11,9 +11,9 @@ use super::plan::VertexPlan;
 use super::stages::transform::{GUARD_BAND, to_window};
 use super::transformed::TransformedVertices;
 use super::uniforms::ViewportUniforms;
-use super::{Assembled, VertexRef};
 use crate::limits::MAX_CLIP_PLANES;
-use crate::raster::vertex::{Vertex, Vertices, outcode};
+use crate::raster::PrimitiveSink;
+use crate::raster::vertex::{Vertex, VertexRef, Vertices, outcode};
 
 /// w of every vertex that comes out is at least this: far below what any position in a picture has, so that triangles
 /// through the eye are cut by the guard band and not by this.
@@ -245,7 +245,7 @@ impl Clipper {
     }
 
     /// Clips a triangle and hands on what is left of it as a fan.
-    pub fn triangle<S: Assembled>(
+    pub fn triangle<S: PrimitiveSink>(
         &mut self,
         plan: &VertexPlan,
         pool: &TransformedVertices,
@@ -279,7 +279,7 @@ impl Clipper {
     }
 
     /// Clips a line segment to the view volume and hands it on.
-    pub fn line<S: Assembled>(
+    pub fn line<S: PrimitiveSink>(
         &mut self,
         plan: &VertexPlan,
         pool: &TransformedVertices,

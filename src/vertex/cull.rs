@@ -1,42 +1,15 @@
 //! Which triangles can be seen (OpenGL 1.5, sections 2.12 and 2.13.1): outcodes and facing of 64 triangles at once, by the
 //! places of their corners alone.
 
-use super::batch::VertexBatch;
-use super::plan::VertFn;
+use super::batch::{CullBatch, VertexBatch};
+use super::stages::VertFn;
 use super::uniforms::VertexUniforms;
-use crate::raster::vertex::{ScreenPosition, outcode};
+use crate::raster::vertex::outcode;
 use crate::simd::{LANES, stage};
 
 /// In the stage's argument, beside the outcode bits that make a triangle go through the clipper: triangles whose area in the
 /// window is positive, or is not, are culled.
 pub const CULLS: [u32; 2] = [1 << 16, 1 << 17];
-
-/// Triangles of placed vertices, and what becomes of them.
-#[derive(Clone, Debug)]
-#[repr(C, align(64))]
-pub struct CullBatch {
-    /// Where the corners are.
-    pub corners: [[ScreenPosition; LANES]; 3],
-    /// One of the bits below for each triangle.
-    fate: [u64; LANES],
-    /// How many there are.
-    pub n: usize,
-    /// A bit for each triangle that can be seen.
-    pub seen: u64,
-    /// Those of them that must be clipped.
-    pub clipped: u64,
-    /// Those that are outside of the view volume.
-    pub outside: u64,
-    /// Those that are inside, and culled.
-    pub culled: u64,
-}
-
-impl Default for CullBatch {
-    fn default() -> Self {
-        let corners = [[ScreenPosition(0); LANES]; 3];
-        Self { corners, fate: [0; LANES], n: 0, seen: 0, clipped: 0, outside: 0, culled: 0 }
-    }
-}
 
 const SEEN: u64 = 1;
 const CLIPPED: u64 = 2;

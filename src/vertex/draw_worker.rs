@@ -4,9 +4,10 @@
 //! in common that matters.
 
 use super::cache::{IndexList, VertexCache};
+use super::hand_on::TakePrimitives;
 use super::plan::VertexPlan;
 use super::processor::VertexProcessor;
-use super::{Assembled, ElementList, ElementOrder, Keys, VertexSource};
+use super::source::{ElementList, ElementOrder, Keys, VertexSource};
 use crate::enums::*;
 use crate::raster::{FragmentProgram, PrimitiveBuilder, SplitDraw};
 use crate::simd::LANES;
@@ -56,7 +57,7 @@ impl DrawWorker {
     }
 
     /// Draws. Every now and then `room` may make room in the sink.
-    pub fn draw<T: Assembled, S: VertexSource>(
+    pub fn draw<T: TakePrimitives, S: VertexSource>(
         &mut self,
         draw: &SourceDraw<'_, S>,
         order: ElementOrder<IndexList<'_>>,
@@ -77,7 +78,7 @@ impl DrawWorker {
         self.processor.batch.clear();
     }
 
-    fn range<T: Assembled, S: VertexSource>(
+    fn range<T: TakePrimitives, S: VertexSource>(
         &mut self,
         draw: &SourceDraw<'_, S>,
         range: Range<u32>,
@@ -107,7 +108,7 @@ impl DrawWorker {
         }
     }
 
-    fn list<T: Assembled, S: VertexSource>(
+    fn list<T: TakePrimitives, S: VertexSource>(
         &mut self,
         draw: &SourceDraw<'_, S>,
         mut list: IndexList<'_>,

@@ -2,13 +2,12 @@
 //! primitives come out. Vertices wait until 64 are there; a new Begin/End pair with the same state joins the ones that
 //! wait, so that many small primitives fill batches as one large one does. The cut into batches changes no bit.
 
-use super::Assembled;
-use super::batch::needs;
+use super::batch::{self, LIST_VERTICES, needs};
 use super::draw_worker::{DrawWorker, WORTH_CUTTING};
+use super::hand_on::TakePrimitives;
 use super::plan::{VertexPlan, Wants};
 use super::processor::{VertexProcessor, consecutive};
 use super::setup_job::SetupJobPool;
-use super::triangle_list::{self, LIST_VERTICES};
 use super::vertex_store::VertexStore;
 use crate::enums::{GL_QUADS, GL_TRIANGLES, GLenum};
 use crate::fragment::planes::Layout;
@@ -99,7 +98,7 @@ impl VertexPipeline {
     pub fn begin(&mut self, mode: GLenum) {
         let n = self.worker.processor.batch.n;
         let in_step = n == 0 || (self.limit == LIST_VERTICES && n.is_multiple_of(3));
-        self.limit = if in_step { self.cut.min(triangle_list::block(mode)) } else { self.cut };
+        self.limit = if in_step { self.cut.min(batch::block(mode)) } else { self.cut };
         self.inside = true;
         self.ranges.push(PrimitiveRange { mode, begins: true, ends: false, until: n as u32 });
     }
@@ -146,7 +145,7 @@ impl VertexPipeline {
         // Between two triangles the primitive might as well begin anew.
         *begins |= processor.is_between();
         let batch = &mut processor.batch;
-        if !*begins || batch.n != triangle_list::block(*mode) || plan.needs & needs::EDGE != 0 {
+        if !*begins || batch.n != batch::block(*mode) || plan.needs & needs::EDGE != 0 {
             return false;
         }
         if store.is_empty() {
@@ -197,7 +196,7 @@ impl VertexPipeline {
     }
 
     /// Runs the waiting vertices and hands on the primitives.
-    pub fn run<S: Assembled>(&mut self, sink: &mut S) {
+    pub fn run<S: TakePrimitives>(&mut self, sink: &mut S) {
         if !self.store.is_empty() {
             self.run_collected(sink);
         }
@@ -205,7 +204,7 @@ impl VertexPipeline {
     }
 
     /// Runs what was collected; the batch that waits stays.
-    fn run_collected<S: Assembled>(&mut self, sink: &mut S) {
+    fn run_collected<S: TakePrimitives>(&mut self, sink: &mut S) {
         let (ranges, inside) = (self.ranges.clone(), self.inside);
         let store = std::mem::take(&mut self.store);
         let waiting = self.worker.processor.batch.clone();
@@ -224,7 +223,7 @@ impl VertexPipeline {
         self.give_back(store);
     }
 
-    fn run_batch<S: Assembled>(&mut self, sink: &mut S) {
+    fn run_batch<S: TakePrimitives>(&mut self, sink: &mut S) {
         let Self { plan, worker: DrawWorker { processor, .. }, ranges, .. } = self;
         let Some(last) = ranges.last_mut() else { return };
         if self.inside {
@@ -253,7 +252,7 @@ impl VertexPipeline {
     }
 
     /// Makes primitives of the batch, which has been placed.
-    fn assemble<S: Assembled>(
+    fn assemble<S: TakePrimitives>(
         plan: &VertexPlan,
         processor: &mut VertexProcessor,
         ranges: &[PrimitiveRange],

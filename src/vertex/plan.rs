@@ -4,15 +4,16 @@
 
 use super::batch::{MAX_SLOTS, VertexBatch, needs};
 use super::cull::{CULL, CULLS};
+use super::stages::VertFn;
 use super::stages::normal::{NORMAL, NORMAL_UNIT, Rescale, normal_matrix};
+use super::stages::triangle_corners::CORNER_POSITIONS;
 use super::stages::{lighting, material, tex_coord, transform};
-use super::triangle_list::CORNER_POSITIONS;
 use super::uniforms::{LightUniforms, MaterialUniforms, UnitUniforms, VertexUniforms, ViewportUniforms};
 use crate::enums::*;
 use crate::fragment::planes::{Layout, UnitSlots};
 use crate::num;
 use crate::raster::vertex::outcode;
-use crate::simd::{Level, Plan, Stage, Step};
+use crate::simd::{LANES, Level, Plan, Stage, Step};
 use crate::state::State;
 use crate::state::fog::FogCoordSource;
 use crate::state::lighting::ColorControl;
@@ -21,9 +22,6 @@ use crate::state::lighting::ShadeModel;
 use crate::state::lighting::{Light, Lighting, Material};
 use crate::state::texture::Unit;
 use glam::{DMat4, DVec3};
-
-/// A vertex stage.
-pub type VertFn = unsafe fn(&mut VertexBatch, &VertexUniforms, u32);
 
 /// What a draw wants of its vertices beyond the state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,11 +74,23 @@ fn step(stage: &Stage<VertFn>, level: Level) -> Step<VertFn> {
 }
 
 impl VertexPlan {
-    /// Which triangles can be seen where the sink [culls](super::Assembled::culls) some.
+    /// Which triangles can be seen where the sink [culls](super::PrimitiveSink::culls) some.
     #[must_use]
     pub fn cull(&self, culls: [bool; 2]) -> Step<VertFn> {
         let [positive, other] = [0, 1].map(|k: usize| if culls[k] { CULLS[k] } else { 0 });
         Step { arg: self.clip_mask | positive | other, ..self.cull }
+    }
+
+    /// Runs some of its stages over a batch.
+    pub fn run(&self, steps: &[Step<VertFn>], batch: &mut VertexBatch) {
+        batch.n = batch.n.min(LANES);
+        batch.span = batch.n.next_multiple_of(16).min(LANES);
+        for step in steps {
+            #[expect(unsafe_code, reason = "stages of a plan are compiled for a level that the processor has")]
+            unsafe {
+                (step.run)(batch, &self.uniforms, step.arg);
+            }
+        }
     }
 
     /// The plan of nothing.

@@ -9,11 +9,12 @@ use super::batch::VertexBatch;
 use super::cache::IndexedChunk;
 use super::clip::Clipper;
 use super::counts::VertexCounts;
-use super::plan::{VertFn, VertexPlan};
+use super::hand_on::TakePrimitives;
+use super::plan::VertexPlan;
+use super::source::{Keys, VertexSource};
 use super::transformed::{MAX_VERTICES, TransformedVertices};
-use super::{Assembled, Keys, VertexSource};
 use crate::enums::GLenum;
-use crate::simd::{LANES, Step};
+use crate::simd::LANES;
 
 /// Vertices and primitives under way.
 #[derive(Clone, Debug)]
@@ -40,18 +41,6 @@ impl Default for VertexProcessor {
             seen: Vec::new(),
             counts: VertexCounts::default(),
             used: Vec::new(),
-        }
-    }
-}
-
-/// Runs some stages of a plan over a batch.
-pub(super) fn run(plan: &VertexPlan, steps: &[Step<VertFn>], batch: &mut VertexBatch) {
-    batch.n = batch.n.min(LANES);
-    batch.span = batch.n.next_multiple_of(16).min(LANES);
-    for step in steps {
-        #[expect(unsafe_code, reason = "stages of a plan are compiled for a level that the processor has")]
-        unsafe {
-            (step.run)(batch, &plan.uniforms, step.arg);
         }
     }
 }
@@ -100,7 +89,7 @@ impl VertexProcessor {
     /// Places the vertices of the batch.
     pub fn transform_positions(&mut self, plan: &VertexPlan) {
         let (places, _) = plan.plan.steps.split_at(plan.position_stages.min(plan.plan.steps.len()));
-        run(plan, places, &mut self.batch);
+        plan.run(places, &mut self.batch);
         self.counts.placed += self.batch.n as u64;
     }
 
@@ -117,7 +106,7 @@ impl VertexProcessor {
             return;
         }
         let steps = plan.plan.steps.get(plan.position_stages..).unwrap_or_default();
-        run(plan, steps, &mut self.batch);
+        plan.run(steps, &mut self.batch);
         self.counts.valued += self.batch.n as u64;
         self.pool.fill(&self.batch, first..first + self.batch.n as u32);
     }
@@ -169,7 +158,7 @@ impl VertexProcessor {
                 let keys = if whole { Keys::Range(of[0]..of[0] + n as u32) } else { Keys::List(&of[..n]) };
                 source.positions(&keys, &mut self.batch);
                 source.attributes(&keys, &mut self.batch);
-                run(plan, &plan.plan.steps, &mut self.batch);
+                plan.run(&plan.plan.steps, &mut self.batch);
                 self.counts.valued += n as u64;
                 self.pool.fill(&self.batch, at.into_iter().take(n).map(|at| first + at));
                 n = 0;
@@ -178,7 +167,7 @@ impl VertexProcessor {
     }
 
     /// Hands on some of what was seen, from a primitive on; how many primitives were seen.
-    pub fn hand_on<S: Assembled>(&mut self, plan: &VertexPlan, from: usize, most: usize, sink: &mut S) -> usize {
+    pub fn hand_on<S: TakePrimitives>(&mut self, plan: &VertexPlan, from: usize, most: usize, sink: &mut S) -> usize {
         let until = from.saturating_add(most).min(self.seen.len());
         let primitives = self.seen.get(from..until).unwrap_or_default();
         sink.take(primitives, plan, &self.pool, &mut self.clipper);

@@ -1,12 +1,11 @@
 //! Processed vertices waiting to be assembled: the output of the vertex stages, lane by lane turned into one record a
 //! vertex. The vertices that a strip, fan or loop still needs when a batch ends move to the front of the pool.
 
-use super::VertexRef;
 use super::batch::VertexBatch;
 use super::plan::VertexPlan;
 use crate::fragment::planes::Layout;
 use crate::limits::MAX_CLIP_PLANES;
-use crate::raster::vertex::{ScreenPosition, Vertex, Vertices};
+use crate::raster::vertex::{ScreenPosition, Vertex, VertexRef, Vertices};
 use crate::simd::LANES;
 
 /// Vertices of a pool at most; ids are taken modulo this number.

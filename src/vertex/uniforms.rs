@@ -1,11 +1,13 @@
 //! The numbers that vertex stages work with, derived from the state when it changes: matrices in f64, lights and
 //! materials in f32. Stages see only these and the batch, never the state itself.
 
-use super::stages::normal::NormalMatrix;
 use crate::limits::{MAX_CLIP_PLANES, MAX_LIGHTS, MAX_TEXTURE_UNITS};
 
 /// A matrix as four columns.
 pub type Columns = [[f64; 4]; 4];
+
+/// The matrix for normals as three columns.
+pub type NormalMatrix = [[f64; 3]; 3];
 
 /// From clip to window coordinates (section 2.11.1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -4,7 +4,7 @@
 
 use super::batch::{Lanes, VertexBatch, needs};
 use super::cache::IndexList;
-use super::{ElementOrder, Keys, VertexSource};
+use super::source::{ElementOrder, Keys, VertexSource};
 use crate::enums::GLenum;
 use crate::simd::LANES;
 

@@ -175,6 +175,7 @@ impl AliasedLine {
 
 #[cfg(test)]
 mod tests {
+    use crate::raster::PrimitiveSink;
     use crate::raster::testing::{Random, TestCanvas};
     use crate::raster::vertex::VertexRef;
     use crate::state::State;

@@ -84,7 +84,7 @@ fn pixels(area: i64) -> f64 {
 impl SceneGeometry {
     /// Sets up a triangle: culls it, or files it as its mode says.
     pub(crate) fn triangle(&mut self, cx: &SetupContext, t: &TriangleInput, stipple: &mut u32) {
-        if cx.plan.is_grouped() && self.wait(cx, t) {
+        if cx.plan.is_grouped() && self.queue(cx, t) {
             return;
         }
         self.flush_batch(cx);
@@ -215,6 +215,7 @@ pub(crate) fn clip_mask(cx: &SetupContext, bounds: Rect, rect: Rect) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use crate::raster::PrimitiveSink;
     use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::raster::vertex::VertexRef;
     use crate::state::State;

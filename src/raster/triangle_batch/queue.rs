@@ -36,7 +36,7 @@ impl TriangleBatch {
 impl SceneGeometry {
     /// Lets a filled triangle wait. False, and nothing done, where a vertex lacks slots.
     #[inline]
-    pub(crate) fn wait(&mut self, cx: &SetupContext, t: &TriangleInput) -> bool {
+    pub(crate) fn queue(&mut self, cx: &SetupContext, t: &TriangleInput) -> bool {
         let group = &mut *self.group;
         let lane = group.count % GROUP;
         let layout = cx.plan.layout();
@@ -56,19 +56,19 @@ impl SceneGeometry {
         }
         group.count += 1;
         if group.count == GROUP {
-            self.file_group(cx);
+            self.set_up_batch(cx);
         }
         true
     }
 
-    /// Whether triangles may wait [many at a time](Self::wait_all): where each corner has its own colours.
-    pub(crate) fn takes_many(cx: &SetupContext, stride: usize) -> bool {
+    /// Whether triangles may wait [many at a time](Self::queue_all): where each corner has its own colours.
+    pub(crate) fn can_batch(cx: &SetupContext, stride: usize) -> bool {
         let layout = cx.plan.layout();
         cx.plan.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= stride
     }
 
     /// Lets filled triangles wait, whose corners are some of many vertices.
-    pub(crate) fn wait_all(&mut self, cx: &SetupContext, vertices: &Vertices, triangles: &[[u32; 3]]) {
+    pub(crate) fn queue_all(&mut self, cx: &SetupContext, vertices: &Vertices, triangles: &[[u32; 3]]) {
         let mut rest = triangles;
         while !rest.is_empty() {
             let free = GROUP - self.group.count % GROUP;
@@ -76,7 +76,7 @@ impl SceneGeometry {
             self.group.put(vertices, now, cx.plan.layout().count);
             rest = later;
             if self.group.count == GROUP {
-                self.file_group(cx);
+                self.set_up_batch(cx);
             }
         }
     }
@@ -84,25 +84,25 @@ impl SceneGeometry {
     /// Files the triangles that wait.
     pub(crate) fn flush_batch(&mut self, cx: &SetupContext) {
         if self.group.count > 0 {
-            self.file_group(cx);
+            self.set_up_batch(cx);
         }
     }
 
     /// Files triangles whose corners `fill` puts in place, a triangle a lane, in the first lanes.
-    pub(crate) fn file_corners(&mut self, cx: &SetupContext, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
+    pub(crate) fn add_lanes(&mut self, cx: &SetupContext, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
         self.flush_batch(cx);
         fill(&mut self.group.corners);
-        self.file_lanes(cx, count.min(GROUP));
+        self.set_up_lanes(cx, count.min(GROUP));
     }
 
-    fn file_group(&mut self, cx: &SetupContext) {
+    fn set_up_batch(&mut self, cx: &SetupContext) {
         let count = std::mem::take(&mut self.group.count).min(GROUP);
         cx.plan.turn(&mut self.group);
-        self.file_lanes(cx, count);
+        self.set_up_lanes(cx, count);
     }
 
     /// Files the triangles of so many lanes.
-    fn file_lanes(&mut self, cx: &SetupContext, count: usize) {
+    fn set_up_lanes(&mut self, cx: &SetupContext, count: usize) {
         let rs = cx.rs;
         let offset = rs.offset[PolygonMode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
         let (ccw, cw) = if rs.ccw_is_front { (0, 1) } else { (1, 0) };
@@ -113,8 +113,8 @@ impl SceneGeometry {
         for lane in 0..count {
             match self.group.kind[lane] {
                 NOTHING => {}
-                ALONE => self.file_alone(cx, lane),
-                kind => used |= self.file_member(cx, lane, first, kind),
+                ALONE => self.set_up_alone(cx, lane),
+                kind => used |= self.push_member(cx, lane, first, kind),
             }
         }
         if !used {
@@ -124,7 +124,7 @@ impl SceneGeometry {
 
     /// Files a member of a group whose planes begin somewhere. False where it has no pixel.
     #[inline]
-    fn file_member(&mut self, cx: &SetupContext, lane: usize, first: u32, kind: i32) -> bool {
+    fn push_member(&mut self, cx: &SetupContext, lane: usize, first: u32, kind: i32) -> bool {
         let group = &*self.group;
         let [x, y] = [group.first[0][lane], group.first[1][lane]];
         let bounds = Rect { x0: x, y0: y, x1: group.last[0][lane], y1: group.last[1][lane] };
@@ -182,7 +182,7 @@ impl SceneGeometry {
     }
 
     /// Files a triangle that has waited although it is large.
-    fn file_alone(&mut self, cx: &SetupContext, lane: usize) {
+    fn set_up_alone(&mut self, cx: &SetupContext, lane: usize) {
         self.with_lane(cx, lane, |geometry, t, area| {
             let back = area == 0 || (area > 0) != cx.rs.ccw_is_front;
             if !cx.rs.cull[usize::from(back)] {
@@ -289,7 +289,7 @@ mod tests {
                 } else {
                     canvas.scene.group_nothing();
                 }
-                let builder = canvas.scene.builder().filter(|builder| many && builder.takes_many(list.stride));
+                let builder = canvas.scene.builder().filter(|builder| many && builder.can_batch(list.stride));
                 if let Some(mut builder) = builder {
                     ids.chunks(11).for_each(|ids| builder.triangles(&list, ids));
                 } else {

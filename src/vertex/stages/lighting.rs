@@ -5,10 +5,10 @@
 //! A vector is subtracted in f64 and has its length divided out in f32. Zero vectors stay zero, attenuation is limited
 //! to 1e30: no sum is ever NaN.
 
+use super::VertFn;
 use crate::num;
 use crate::simd::{LANES, stage};
 use crate::vertex::batch::{F64Lanes, Lanes, VertexBatch};
-use crate::vertex::plan::VertFn;
 use crate::vertex::uniforms::{LightUniforms, VertexUniforms};
 
 /// Argument of the sums: the light's number in the low bits, then these flags.

@@ -2,10 +2,10 @@
 //! times the material colours, which the vertex's own colour replaces where COLOR_MATERIAL is on, and the clamp to
 //! [0, 1] that every colour undergoes, lit or not.
 
+use super::VertFn;
 use crate::num::clamp01;
 use crate::simd::{LANES, stage};
 use crate::vertex::batch::{Lanes, VertexBatch};
-use crate::vertex::plan::VertFn;
 use crate::vertex::uniforms::VertexUniforms;
 
 /// Argument of [`MATERIAL`].

@@ -6,3 +6,10 @@ pub mod material;
 pub mod normal;
 pub mod tex_coord;
 pub mod transform;
+pub mod triangle_corners;
+
+use super::batch::VertexBatch;
+use super::uniforms::VertexUniforms;
+
+/// A vertex stage.
+pub type VertFn = unsafe fn(&mut VertexBatch, &VertexUniforms, u32);

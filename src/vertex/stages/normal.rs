@@ -3,14 +3,11 @@
 //! RESCALE_NORMAL's factor is the length of a column of cofactors: neither divides by the determinant, so both are
 //! defined for a singular matrix too.
 
+use super::VertFn;
 use crate::simd::{LANES, stage};
 use crate::vertex::batch::VertexBatch;
-use crate::vertex::plan::VertFn;
-use crate::vertex::uniforms::VertexUniforms;
+use crate::vertex::uniforms::{NormalMatrix, VertexUniforms};
 use glam::DMat4;
-
-/// The matrix for normals as three columns.
-pub type NormalMatrix = [[f64; 3]; 3];
 
 /// How normals are brought to their length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

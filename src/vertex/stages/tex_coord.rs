@@ -2,9 +2,9 @@
 //! into the slots that the layout wants. A coordinate that is not finite becomes 0 in the store, the one place for it,
 //! so that leaving out an identity matrix changes nothing.
 
+use super::VertFn;
 use crate::simd::{LANES, stage};
 use crate::vertex::batch::{Lanes, VertexBatch};
-use crate::vertex::plan::VertFn;
 use crate::vertex::uniforms::VertexUniforms;
 
 /// Packs a unit and a coordinate into a stage argument.

@@ -2,11 +2,11 @@
 //! perspective division and the viewport, all in f64, and the snap to 1/256 pixel. The snap rounds the offset from the
 //! viewport's centre, so that moving the viewport by whole pixels moves every vertex by exactly as much.
 
+use super::VertFn;
 use crate::num;
 use crate::raster::vertex::{ScreenPosition, outcode};
 use crate::simd::{LANES, stage};
 use crate::vertex::batch::VertexBatch;
-use crate::vertex::plan::VertFn;
 use crate::vertex::uniforms::{Columns, VertexUniforms, ViewportUniforms};
 
 /// Windows positions with a greater absolute coordinate are outside the guard band.

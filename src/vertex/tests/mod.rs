@@ -7,12 +7,13 @@ mod lit;
 mod primitives;
 mod textured;
 
+use super::hand_on::TakePrimitives;
 use super::pipeline::VertexPipeline;
 use super::plan::Wants;
-use super::{Assembled, VertexRef};
 use crate::enums::GLenum;
 use crate::fragment::planes::{Layout, UnitSlots};
-use crate::raster::vertex::Vertex;
+use crate::raster::PrimitiveSink;
+use crate::raster::vertex::{Vertex, VertexRef};
 use crate::simd::Level;
 use crate::state::State;
 use crate::state::current::Current;
@@ -33,7 +34,7 @@ fn owned(v: VertexRef<'_>) -> (Vertex, Vec<f32>) {
     (*v.head, v.slots.to_vec())
 }
 
-impl Assembled for Collect {
+impl PrimitiveSink for Collect {
     fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
         self.0.push(Got::Triangle(corners.map(owned).to_vec(), provoking, edges));
     }
@@ -44,6 +45,8 @@ impl Assembled for Collect {
         self.0.push(Got::Point(owned(vertex)));
     }
 }
+
+impl TakePrimitives for Collect {}
 
 /// A vertex with its attributes.
 #[derive(Clone, Debug)]
