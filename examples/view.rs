@@ -140,14 +140,12 @@ fn camera(cx: &mut Context, model: &Obj, options: &Options) {
 
 /// A material for models that come without one, or that are shown as mirrors.
 fn material([ar, ag, ab]: [f32; 3], [dr, dg, db]: [f32; 3]) -> Material {
-    Material {
-        name: String::new(),
-        ambient: [ar, ag, ab, 1.0],
-        diffuse: [dr, dg, db, 1.0],
-        specular: [0.35, 0.35, 0.35, 1.0],
-        shininess: 40.0,
-        texture: None,
-    }
+    let mut material = Material::default();
+    material.ambient = [ar, ag, ab, 1.0];
+    material.diffuse = [dr, dg, db, 1.0];
+    material.specular = [0.35, 0.35, 0.35, 1.0];
+    material.shininess = 40.0;
+    material
 }
 
 fn draw(cx: &mut Context, model: &Obj, options: &Options) -> Result<(), String> {

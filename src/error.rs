@@ -64,6 +64,7 @@ impl std::error::Error for GlError {}
 
 /// A file that cannot be read, written or understood.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct FileError {
     /// The file.
     pub path: std::path::PathBuf,

@@ -100,8 +100,9 @@ pub struct Ours {
 impl Ours {
     /// A context of this crate itself, for what the trait does not have.
     pub fn context(&self, size: [u32; 2], float: bool) -> Context {
-        let color_bits = if float { [32; 4] } else { [8; 4] };
-        let format = FramebufferFormat { color_bits, float, ..FramebufferFormat::default() };
+        let mut format = FramebufferFormat::default();
+        format.color_bits = if float { [32; 4] } else { [8; 4] };
+        format.float = float;
         let config = Config { level: self.level, threads: 1, format, ..Config::default() };
         Context::with_config(size[0], size[1], config)
     }

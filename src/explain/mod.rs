@@ -24,6 +24,7 @@ use std::fmt;
 
 /// What becomes of every stage in the present state.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Explanation {
     /// A line for each stage, in the order of the pipeline.
     pub decisions: Vec<Decision>,

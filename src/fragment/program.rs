@@ -37,6 +37,7 @@ impl Default for Options {
 
 /// What became of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Fate {
     /// It is in the program.
     Kept,
@@ -58,6 +59,7 @@ impl std::fmt::Display for Fate {
 
 /// A line of a program's explanation.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Decision {
     /// What the stage does, in a word or two.
     pub stage: String,

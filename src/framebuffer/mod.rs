@@ -23,6 +23,7 @@ use crate::limits::MAX_VIEWPORT_DIM;
 
 /// What the buffers hold: what `glGet` reports of them and what the fragment stages are built for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct FramebufferFormat {
     /// Bits of red, green, blue and alpha: 8 each, 32 for floats; alpha may have none and then always reads as 1.
     pub color_bits: [u8; 4],

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// A material. What the file does not say has GL's initial value.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Material {
     /// Its name.
     pub name: String,
@@ -20,6 +21,20 @@ pub struct Material {
     pub shininess: f32,
     /// The file of `map_Kd`, relative to where the material's file is.
     pub texture: Option<PathBuf>,
+}
+
+impl Default for Material {
+    /// GL's initial material, without a name or a texture.
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            ambient: [0.2, 0.2, 0.2, 1.0],
+            diffuse: [0.8, 0.8, 0.8, 1.0],
+            specular: [0.0, 0.0, 0.0, 1.0],
+            shininess: 0.0,
+            texture: None,
+        }
+    }
 }
 
 impl Material {

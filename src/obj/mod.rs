@@ -33,6 +33,7 @@ use std::path::Path;
 
 /// A model: vertex arrays, groups of triangles, materials.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Obj {
     /// A position for each vertex.
     pub positions: Vec<[f32; 3]>,
@@ -52,6 +53,7 @@ pub struct Obj {
 
 /// Triangles of one material.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Group {
     /// The name of the first object or group of the file that is in it.
     pub name: String,

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex};
 
 /// What one stage did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct StageCount {
     /// The stage, as a plan names it.
     pub name: &'static str,
@@ -19,6 +20,7 @@ pub struct StageCount {
 
 /// What was done since counting began.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Counters {
     /// Vertices whose position was transformed.
     pub vertices: u64,

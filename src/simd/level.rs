@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 /// An instruction set that every stage is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Level {
     /// What every processor of the target has (SSE2 on x86-64).
     Baseline = 0,
@@ -16,7 +17,7 @@ pub enum Level {
 
 impl Level {
     /// All levels, lowest first.
-    pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
+    pub(crate) const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
 
     /// The highest level that this processor has.
     #[must_use]

@@ -16,7 +16,9 @@ pub type Color = [f32; 4];
 
 /// Colours are kept as floats.
 pub fn float_config() -> Config {
-    let format = FramebufferFormat { color_bits: [32; 4], float: true, ..FramebufferFormat::default() };
+    let mut format = FramebufferFormat::default();
+    format.color_bits = [32; 4];
+    format.float = true;
     Config { format, ..reference() }
 }
 
