@@ -13,12 +13,12 @@
 
 use super::batch::{SamplerScratch, TexBatch};
 use super::lod::{lambda, span};
-use super::uniforms::{TexFn, UnitUniforms};
+use super::uniforms::{TexFn, UnitUniforms, by_dims, sampler_stages};
 use crate::num::{clamp_f32, floor_f32, max_f32, min_f32};
 use crate::simd::{Cost, LANES, Stage, stage};
 
 #[inline(always)]
-fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms) {
+fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
     let TexBatch { coord, ddx, ddy, lambda: out, scratch, .. } = b;
     let SamplerScratch { lane_taps, tap_step, axis, center, .. } = scratch;
     let mut along_x = [0u32; LANES];
@@ -53,19 +53,13 @@ fn count(b: &mut TexBatch) {
     b.scratch.taps = most;
 }
 
+sampler_stages! {
+    FOOTPRINT_1D [Cost { logarithms: 1, ..Cost::NONE }] = footprint::<1>;
+    FOOTPRINT_2D [Cost { logarithms: 1, ..Cost::NONE }] = footprint::<2>;
+    FOOTPRINT_3D [Cost { logarithms: 1, ..Cost::NONE }] = footprint::<3>;
+}
+
 stage! {
-    /// Taps, axis and lambda of a 1D texture.
-    pub fn FOOTPRINT_1D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        footprint::<1>(b, u);
-    }
-    /// Taps, axis and lambda of a 2D texture or a cube face.
-    pub fn FOOTPRINT_2D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        footprint::<2>(b, u);
-    }
-    /// Taps, axis and lambda of a 3D texture.
-    pub fn FOOTPRINT_3D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        footprint::<3>(b, u);
-    }
     /// Lanes that read the nearest texel have one tap.
     pub fn NEAREST_ONE_TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
         for i in 0..LANES {
@@ -132,14 +126,9 @@ stage! {
     }
 }
 
-/// The stage that finds the taps for this many coordinates.
-#[must_use]
+/// The stage that finds taps, axis and lambda for this many coordinates.
 pub fn footprint_stage(dims: usize) -> &'static Stage<TexFn> {
-    match dims {
-        1 => &FOOTPRINT_1D,
-        2 => &FOOTPRINT_2D,
-        _ => &FOOTPRINT_3D,
-    }
+    by_dims(dims, [&FOOTPRINT_1D, &FOOTPRINT_2D, &FOOTPRINT_3D])
 }
 
 #[cfg(test)]

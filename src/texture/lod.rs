@@ -14,7 +14,7 @@
 //! its fragments. What is no number ends as MIN_LOD.
 
 use super::batch::{Derivatives, Lanes, TexBatch};
-use super::uniforms::{TexFn, UnitUniforms};
+use super::uniforms::{TexFn, UnitUniforms, by_dims, sampler_stages};
 use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
 use crate::simd::{Cost, LANES, Stage, stage};
 
@@ -197,19 +197,24 @@ fn set_same(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     }
 }
 
+/// What a logarithm costs.
+const LOGARITHM: Cost = Cost { logarithms: 1, ..Cost::NONE };
+
+sampler_stages! {
+    LAMBDA_1D [LOGARITHM] = lambdas::<1>;
+    LAMBDA_2D [LOGARITHM] = lambdas::<2>;
+    LAMBDA_3D [LOGARITHM] = lambdas::<3>;
+    /// The level of *_MIPMAP_NEAREST by the lambda that another stage has computed.
+    LEVEL_NEAREST [Cost::NONE] = nearest_levels;
+    /// Lambda, where it is needed, and the level of *_MIPMAP_NEAREST.
+    NEAREST_LEVEL_1D [Cost::NONE] = nearest_level::<1>;
+    NEAREST_LEVEL_2D [Cost::NONE] = nearest_level::<2>;
+    NEAREST_LEVEL_3D [Cost::NONE] = nearest_level::<3>;
+    /// The two levels of *_MIPMAP_LINEAR and the weight of the second.
+    LEVEL_LINEAR [Cost::NONE] = linear_levels;
+}
+
 stage! {
-    /// Lambda of a 1D texture.
-    pub fn LAMBDA_1D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        lambdas::<1>(b, u, arg);
-    }
-    /// Lambda of a 2D texture or a cube face.
-    pub fn LAMBDA_2D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        lambdas::<2>(b, u, arg);
-    }
-    /// Lambda of a 3D texture.
-    pub fn LAMBDA_3D: TexFn [Cost { logarithms: 1, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        lambdas::<3>(b, u, arg);
-    }
     /// A lambda that its limits make the same everywhere: the bits of the argument.
     pub fn LAMBDA_CONSTANT: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, arg: u32) {
         b.lambda = [f32::from_bits(arg); LANES];
@@ -223,26 +228,6 @@ stage! {
             b.scratch.nearest[i] = magnified ^ flip;
             b.lambda[i] = if magnified != 0 { min_f32(b.lambda[i], 0.0) } else { b.lambda[i] };
         }
-    }
-    /// The level of *_MIPMAP_NEAREST.
-    pub fn LEVEL_NEAREST: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        nearest_levels(b, u, arg);
-    }
-    /// [`LAMBDA_1D`] and [`LEVEL_NEAREST`].
-    pub fn NEAREST_LEVEL_1D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        nearest_level::<1>(b, u, arg);
-    }
-    /// [`LAMBDA_2D`] and [`LEVEL_NEAREST`].
-    pub fn NEAREST_LEVEL_2D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        nearest_level::<2>(b, u, arg);
-    }
-    /// [`LAMBDA_3D`] and [`LEVEL_NEAREST`].
-    pub fn NEAREST_LEVEL_3D: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        nearest_level::<3>(b, u, arg);
-    }
-    /// The two levels of *_MIPMAP_LINEAR and the weight of the second.
-    pub fn LEVEL_LINEAR: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        linear_levels(b, u, arg);
     }
     /// The base level of each lane's face.
     pub fn LEVEL_BASE: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
@@ -271,21 +256,11 @@ stage! {
 }
 
 /// The stage that finds the level of *_MIPMAP_NEAREST for this many coordinates.
-#[must_use]
 pub fn nearest_level_stage(dims: usize) -> &'static Stage<TexFn> {
-    match dims {
-        1 => &NEAREST_LEVEL_1D,
-        2 => &NEAREST_LEVEL_2D,
-        _ => &NEAREST_LEVEL_3D,
-    }
+    by_dims(dims, [&NEAREST_LEVEL_1D, &NEAREST_LEVEL_2D, &NEAREST_LEVEL_3D])
 }
 
 /// The stage that computes lambda for this many coordinates.
-#[must_use]
 pub fn lambda_stage(dims: usize) -> &'static Stage<TexFn> {
-    match dims {
-        1 => &LAMBDA_1D,
-        2 => &LAMBDA_2D,
-        _ => &LAMBDA_3D,
-    }
+    by_dims(dims, [&LAMBDA_1D, &LAMBDA_2D, &LAMBDA_3D])
 }

@@ -9,12 +9,36 @@ use super::rho_ranges::level_ranges;
 use crate::enums::*;
 use crate::limits::{MAX_TEXTURE_LEVELS, MAX_TEXTURE_LOD_BIAS};
 use crate::num::{clamp_f32, max_f32, min_f32};
+use crate::simd::Stage;
 use crate::state::compare::CompareFunc;
 use crate::state::texture::Target;
 use std::sync::Arc;
 
 /// A stage of a sampler.
 pub type TexFn = for<'a, 'b> unsafe fn(&'a mut TexBatch, &'b UnitUniforms, u32);
+
+/// Stages of samplers that are one function each, a row a stage: `NAME [cost] = function;`, or with more arguments
+/// `NAME [cost] = function, argument;`.
+macro_rules! sampler_stages {
+    ($($(#[$meta:meta])* $name:ident [$cost:expr] = $run:expr $(, $more:expr)*;)*) => {
+        $crate::simd::stage! {$(
+            $(#[$meta])*
+            pub fn $name: $crate::texture::uniforms::TexFn [$cost] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+                $run(b, u, arg $(, $more)*);
+            }
+        )*}
+    };
+}
+pub(crate) use sampler_stages;
+
+/// The stage for so many coordinates, of those for one, two and three.
+pub fn by_dims(dims: usize, [one, two, three]: [&'static Stage<TexFn>; 3]) -> &'static Stage<TexFn> {
+    match dims {
+        1 => one,
+        2 => two,
+        _ => three,
+    }
+}
 
 /// An image as a sampler sees it.
 #[derive(Clone, Debug)]

@@ -7,13 +7,13 @@
 use super::float::{each_lane, neighbours};
 use crate::enums::*;
 use crate::num::clamp01;
-use crate::simd::{Cost, LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage};
 use crate::state::compare::CompareFunc;
 use crate::texture::batch::{Lanes, TexBatch};
 use crate::texture::filter::{SECOND, destination, lerp};
 use crate::texture::format::BaseFormat;
 use crate::texture::image::Texels;
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, sampler_stages};
 
 /// In a stage's argument from this bit on: how the depth is read ([`mode`]).
 const MODE_SHIFT: u32 = 8;
@@ -119,39 +119,15 @@ fn read<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexB
     }
 }
 
-stage! {
-    /// The nearest depth of a 1D image.
-    pub fn DEPTH_NEAREST_1D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<1, false, false>(b, u, arg);
-    }
-    /// The nearest depth of a 2D image.
-    pub fn DEPTH_NEAREST_2D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<2, false, false>(b, u, arg);
-    }
-    /// Two depths of a 1D image.
-    pub fn DEPTH_LINEAR_1D: TexFn [Cost::texels(2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<1, true, false>(b, u, arg);
-    }
-    /// Four depths of a 2D image.
-    pub fn DEPTH_BILINEAR_2D: TexFn [Cost::texels(4)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<2, true, false>(b, u, arg);
-    }
-    /// The nearest depth of a 1D image, compared with r.
-    pub fn SHADOW_NEAREST_1D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<1, false, true>(b, u, arg);
-    }
-    /// The nearest depth of a 2D image, compared with r.
-    pub fn SHADOW_NEAREST_2D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<2, false, true>(b, u, arg);
-    }
-    /// Two depths of a 1D image, each compared with r.
-    pub fn SHADOW_LINEAR_1D: TexFn [Cost::texels(2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<1, true, true>(b, u, arg);
-    }
-    /// Four depths of a 2D image, each compared with r.
-    pub fn SHADOW_BILINEAR_2D: TexFn [Cost::texels(4)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        read::<2, true, true>(b, u, arg);
-    }
+sampler_stages! {
+    DEPTH_NEAREST_1D [Cost::texels(1)] = read::<1, false, false>;
+    DEPTH_NEAREST_2D [Cost::texels(1)] = read::<2, false, false>;
+    DEPTH_LINEAR_1D [Cost::texels(2)] = read::<1, true, false>;
+    DEPTH_BILINEAR_2D [Cost::texels(4)] = read::<2, true, false>;
+    SHADOW_NEAREST_1D [Cost::texels(1)] = read::<1, false, true>;
+    SHADOW_NEAREST_2D [Cost::texels(1)] = read::<2, false, true>;
+    SHADOW_LINEAR_1D [Cost::texels(2)] = read::<1, true, true>;
+    SHADOW_BILINEAR_2D [Cost::texels(4)] = read::<2, true, true>;
 }
 
 /// The stage for this many dimensions.

@@ -2,11 +2,11 @@
 //! bits a component. The same nested a + t (b - a) as for 8-bit texels, four channels of a lane at a time, since that is
 //! how these texels lie in memory.
 
-use crate::simd::{Cost, LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage};
 use crate::texture::batch::{Lanes, SamplerScratch, TexBatch};
 use crate::texture::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
 use crate::texture::image::{FloatTexel, Texels};
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, by_dims, sampler_stages};
 
 #[inline(always)]
 fn texels(image: &MipLevel) -> &[FloatTexel] {
@@ -61,7 +61,7 @@ fn mix(a: FloatTexel, b: FloatTexel, t: f32) -> FloatTexel {
 }
 
 #[inline(always)]
-fn sample<const DIMS: usize, const ROWS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, linear: bool) {
+fn sample<const DIMS: usize, const ROWS: usize, const LINEAR: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.scratch.two_levels {
         return;
@@ -71,7 +71,7 @@ fn sample<const DIMS: usize, const ROWS: usize>(b: &mut TexBatch, u: &UnitUnifor
     let mut colors = [[0.0; LANES]; 4];
     let [ws, wt, wr] = &scratch.weight;
     each_lane::<DIMS>(scratch, n, u, pass, |i, image, at| {
-        let color = if linear {
+        let color = if LINEAR {
             let rows = neighbours::<FloatTexel, ROWS>(texels(image), at, image.stride as usize, image.slice as usize);
             let across = |r: usize| mix(rows[r][0], rows[r][1], ws[i]);
             match ROWS {
@@ -92,42 +92,20 @@ fn sample<const DIMS: usize, const ROWS: usize>(b: &mut TexBatch, u: &UnitUnifor
     }
 }
 
-stage! {
-    /// The nearest float texel of a 1D image.
-    pub fn NEAREST_1D_FLOAT: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<1, 1>(b, u, arg, false);
-    }
-    /// The nearest float texel of a 2D image.
-    pub fn NEAREST_2D_FLOAT: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<2, 2>(b, u, arg, false);
-    }
-    /// The nearest float texel of a 3D image.
-    pub fn NEAREST_3D_FLOAT: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<3, 4>(b, u, arg, false);
-    }
-    /// Two float texels of a 1D image.
-    pub fn LINEAR_1D_FLOAT: TexFn [Cost::texels(2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<1, 1>(b, u, arg, true);
-    }
-    /// Four float texels of a 2D image.
-    pub fn BILINEAR_2D_FLOAT: TexFn [Cost::texels(4)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<2, 2>(b, u, arg, true);
-    }
-    /// Eight float texels of a 3D image.
-    pub fn TRILINEAR_3D_FLOAT: TexFn [Cost::texels(8)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample::<3, 4>(b, u, arg, true);
-    }
+sampler_stages! {
+    NEAREST_1D_FLOAT [Cost::texels(1)] = sample::<1, 1, false>;
+    NEAREST_2D_FLOAT [Cost::texels(1)] = sample::<2, 2, false>;
+    NEAREST_3D_FLOAT [Cost::texels(1)] = sample::<3, 4, false>;
+    LINEAR_1D_FLOAT [Cost::texels(2)] = sample::<1, 1, true>;
+    BILINEAR_2D_FLOAT [Cost::texels(4)] = sample::<2, 2, true>;
+    TRILINEAR_3D_FLOAT [Cost::texels(8)] = sample::<3, 4, true>;
 }
 
 /// The stage for this many dimensions.
-#[must_use]
 pub fn stage(dims: usize, linear: bool) -> &'static Stage<TexFn> {
-    match (dims, linear) {
-        (1, false) => &NEAREST_1D_FLOAT,
-        (2, false) => &NEAREST_2D_FLOAT,
-        (_, false) => &NEAREST_3D_FLOAT,
-        (1, true) => &LINEAR_1D_FLOAT,
-        (2, true) => &BILINEAR_2D_FLOAT,
-        (_, true) => &TRILINEAR_3D_FLOAT,
+    if linear {
+        by_dims(dims, [&LINEAR_1D_FLOAT, &BILINEAR_2D_FLOAT, &TRILINEAR_3D_FLOAT])
+    } else {
+        by_dims(dims, [&NEAREST_1D_FLOAT, &NEAREST_2D_FLOAT, &NEAREST_3D_FLOAT])
     }
 }

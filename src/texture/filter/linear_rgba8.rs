@@ -5,13 +5,13 @@
 //! a + t (b - a): that is exact where a and b are equal, so a constant texture stays constant, and never leaves the range
 //! of the texels. The factor 1/255 comes last, once.
 
-use crate::simd::{Cost, LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage};
 use crate::texture::batch::{SamplerScratch, TexBatch};
 use crate::texture::filter::{
     INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, lerp, offsets, texels,
 };
 use crate::texture::format::BaseFormat;
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, sampler_stages};
 use crate::texture::wrap::bounded::{CoordBounds, LinearWrap};
 use crate::texture::wrap::general::far_linear;
 
@@ -224,47 +224,17 @@ pub fn blend<const ROWS: usize, const FORMAT: u8, const N: usize>(
     out
 }
 
-stage! {
-    /// Two texels of a 1D image.
-    pub fn LINEAR_1D: TexFn [Cost::filter(2, 1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<1, 1, RGBA>(b, u, arg);
-    }
-    /// Four texels of a 2D image, all channels.
-    pub fn BILINEAR_2D_RGBA: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<2, 2, RGBA>(b, u, arg);
-    }
-    /// Four texels of a 2D image, three channels.
-    pub fn BILINEAR_2D_RGB: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<2, 2, RGB>(b, u, arg);
-    }
-    /// Four texels of a 2D image, luminance only.
-    pub fn BILINEAR_2D_LUMINANCE: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<2, 2, LUMINANCE>(b, u, arg);
-    }
-    /// Four texels of a 2D image, luminance and alpha.
-    pub fn BILINEAR_2D_LUMINANCE_ALPHA: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<2, 2, LUMINANCE_ALPHA>(b, u, arg);
-    }
-    /// Four texels of a 2D image, intensity only.
-    pub fn BILINEAR_2D_INTENSITY: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<2, 2, INTENSITY>(b, u, arg);
-    }
-    /// Four texels of a 2D image, alpha only.
-    pub fn BILINEAR_2D_ALPHA: TexFn [Cost::filter(4, 2)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<2, 2, ALPHA>(b, u, arg);
-    }
-    /// Eight texels of a 3D image, all channels.
-    pub fn TRILINEAR_3D_RGBA: TexFn [Cost::filter(8, 3)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<3, 4, RGBA>(b, u, arg);
-    }
-    /// Eight texels of a 3D image, three channels.
-    pub fn TRILINEAR_3D_RGB: TexFn [Cost::filter(8, 3)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<3, 4, RGB>(b, u, arg);
-    }
-    /// Eight texels of a 3D image, luminance only.
-    pub fn TRILINEAR_3D_LUMINANCE: TexFn [Cost::filter(8, 3)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_linear::<3, 4, LUMINANCE>(b, u, arg);
-    }
+sampler_stages! {
+    LINEAR_1D [Cost::filter(2, 1)] = sample_linear::<1, 1, RGBA>;
+    BILINEAR_2D_RGBA [Cost::filter(4, 2)] = sample_linear::<2, 2, RGBA>;
+    BILINEAR_2D_RGB [Cost::filter(4, 2)] = sample_linear::<2, 2, RGB>;
+    BILINEAR_2D_LUMINANCE [Cost::filter(4, 2)] = sample_linear::<2, 2, LUMINANCE>;
+    BILINEAR_2D_LUMINANCE_ALPHA [Cost::filter(4, 2)] = sample_linear::<2, 2, LUMINANCE_ALPHA>;
+    BILINEAR_2D_INTENSITY [Cost::filter(4, 2)] = sample_linear::<2, 2, INTENSITY>;
+    BILINEAR_2D_ALPHA [Cost::filter(4, 2)] = sample_linear::<2, 2, ALPHA>;
+    TRILINEAR_3D_RGBA [Cost::filter(8, 3)] = sample_linear::<3, 4, RGBA>;
+    TRILINEAR_3D_RGB [Cost::filter(8, 3)] = sample_linear::<3, 4, RGB>;
+    TRILINEAR_3D_LUMINANCE [Cost::filter(8, 3)] = sample_linear::<3, 4, LUMINANCE>;
 }
 
 /// The stage that filters linearly, with as few channels as the format has.

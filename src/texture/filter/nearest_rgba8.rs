@@ -2,9 +2,9 @@
 //! lanes at once. Texels are whole numbers 0 to 255; the factor 1/255 comes last, once.
 
 use super::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, neighbours, offsets, texels};
-use crate::simd::{Cost, LANES, Stage, stage};
+use crate::simd::{Cost, LANES, Stage};
 use crate::texture::batch::{SamplerScratch, TexBatch};
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms};
+use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, by_dims, sampler_stages};
 use crate::texture::wrap::bounded::NearestWrap;
 use crate::texture::wrap::general::far_nearest;
 
@@ -85,59 +85,38 @@ fn sample_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &Un
     }
 }
 
-stage! {
-    /// The nearest texel of a 1D image.
-    pub fn NEAREST_1D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_nearest::<1, false>(b, u, arg);
-    }
-    /// The nearest texel of a 2D image.
-    pub fn NEAREST_2D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_nearest::<2, false>(b, u, arg);
-    }
-    /// The nearest texel of a 3D image.
-    pub fn NEAREST_3D: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_nearest::<3, false>(b, u, arg);
-    }
-    /// The nearest texel of a 1D image, packed.
-    pub fn NEAREST_1D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        nearest_texels::<1>(&mut b.packed, &b.scratch, u, 0);
-    }
-    /// The nearest texel of a 2D image, packed.
-    pub fn NEAREST_2D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        nearest_texels::<2>(&mut b.packed, &b.scratch, u, 0);
-    }
-    /// REPEAT, CLAMP or CLAMP_TO_EDGE in s and in t, and the nearest texel of a 2D image.
-    pub fn WRAP_NEAREST_2D: TexFn [Cost { texels: 1, wraps: 2, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        sample_nearest::<2, true>(b, u, arg);
-    }
-    /// The same, packed.
-    pub fn WRAP_NEAREST_2D_PACKED: TexFn [Cost { texels: 1, wraps: 2, ..Cost::NONE }] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+/// [`sample_nearest`] that leaves the texels packed.
+#[inline(always)]
+fn copy_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    if WRAPS {
         let mut found = [0; LANES];
         wrap_nearest(&mut found, b, u, arg);
         b.packed = found;
+    } else {
+        nearest_texels::<DIMS>(&mut b.packed, &b.scratch, u, 0);
     }
-    /// The nearest texel of a 3D image, packed.
-    pub fn NEAREST_3D_PACKED: TexFn [Cost::texels(1)] = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
-        nearest_texels::<3>(&mut b.packed, &b.scratch, u, 0);
-    }
+}
+
+/// What the stages cost that wrap s and t by REPEAT, CLAMP or CLAMP_TO_EDGE, too.
+const WRAPPED: Cost = Cost { texels: 1, wraps: 2, ..Cost::NONE };
+
+sampler_stages! {
+    NEAREST_1D [Cost::texels(1)] = sample_nearest::<1, false>;
+    NEAREST_2D [Cost::texels(1)] = sample_nearest::<2, false>;
+    NEAREST_3D [Cost::texels(1)] = sample_nearest::<3, false>;
+    NEAREST_1D_PACKED [Cost::texels(1)] = copy_nearest::<1, false>;
+    NEAREST_2D_PACKED [Cost::texels(1)] = copy_nearest::<2, false>;
+    NEAREST_3D_PACKED [Cost::texels(1)] = copy_nearest::<3, false>;
+    WRAP_NEAREST_2D [WRAPPED] = sample_nearest::<2, true>;
+    WRAP_NEAREST_2D_PACKED [WRAPPED] = copy_nearest::<2, true>;
 }
 
 /// The stage that reads the nearest texel.
-#[must_use]
 pub fn nearest(dims: usize) -> &'static Stage<TexFn> {
-    match dims {
-        1 => &NEAREST_1D,
-        2 => &NEAREST_2D,
-        _ => &NEAREST_3D,
-    }
+    by_dims(dims, [&NEAREST_1D, &NEAREST_2D, &NEAREST_3D])
 }
 
 /// The stage that reads the nearest texel and leaves it packed.
-#[must_use]
 pub fn nearest_packed(dims: usize) -> &'static Stage<TexFn> {
-    match dims {
-        1 => &NEAREST_1D_PACKED,
-        2 => &NEAREST_2D_PACKED,
-        _ => &NEAREST_3D_PACKED,
-    }
+    by_dims(dims, [&NEAREST_1D_PACKED, &NEAREST_2D_PACKED, &NEAREST_3D_PACKED])
 }

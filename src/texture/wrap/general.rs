@@ -20,9 +20,9 @@
 
 use super::bounded::{CoordBounds, LinearWrap};
 use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
-use crate::simd::{Cost, LANES, stage};
+use crate::simd::{Cost, LANES};
 use crate::texture::batch::{SamplerScratch, TexBatch};
-use crate::texture::uniforms::{TexFn, UnitUniforms};
+use crate::texture::uniforms::{UnitUniforms, sampler_stages};
 
 /// In a stage's argument: which coordinate (0 to 2).
 pub const COORDINATE: u32 = 3;
@@ -223,55 +223,21 @@ fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: 
     }
 }
 
-stage! {
-    /// REPEAT, two texels and their weight.
-    pub fn WRAP_REPEAT_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        linear_lanes(b, u, arg, true);
-    }
-    /// CLAMP and CLAMP_TO_EDGE, two texels and their weight.
-    pub fn WRAP_CLAMP_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        linear_lanes(b, u, arg, false);
-    }
-    /// CLAMP_TO_BORDER, two texels and their weight.
-    pub fn WRAP_BORDER_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_linear::<TO_BORDER>(b, u, arg, border);
-    }
-    /// MIRRORED_REPEAT, two texels and their weight.
-    pub fn WRAP_MIRRORED_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_linear::<TO_EDGE>(b, u, arg, mirrored);
-    }
-    /// MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE, two texels and their weight.
-    pub fn WRAP_MIRROR_CLAMP_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_linear::<TO_EDGE>(b, u, arg, mirror_clamp);
-    }
-    /// MIRROR_CLAMP_TO_BORDER, two texels and their weight.
-    pub fn WRAP_MIRROR_BORDER_LINEAR: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_linear::<TO_BORDER>(b, u, arg, mirror_border);
-    }
-    /// REPEAT, the nearest texel.
-    pub fn WRAP_REPEAT_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_nearest::<AROUND>(b, u, arg, repeat);
-    }
-    /// CLAMP and CLAMP_TO_EDGE, the nearest texel.
-    pub fn WRAP_CLAMP_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_nearest::<TO_EDGE>(b, u, arg, clamp);
-    }
-    /// CLAMP_TO_BORDER, the nearest texel.
-    pub fn WRAP_BORDER_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_nearest::<TO_BORDER>(b, u, arg, border);
-    }
-    /// MIRRORED_REPEAT, the nearest texel.
-    pub fn WRAP_MIRRORED_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_nearest::<TO_EDGE>(b, u, arg, mirrored);
-    }
-    /// MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE, the nearest texel.
-    pub fn WRAP_MIRROR_CLAMP_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_nearest::<TO_EDGE>(b, u, arg, mirror_clamp);
-    }
-    /// MIRROR_CLAMP_TO_BORDER, the nearest texel.
-    pub fn WRAP_MIRROR_BORDER_NEAREST: TexFn [Cost::wraps(1)] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
-        wrap_nearest::<TO_BORDER>(b, u, arg, mirror_border);
-    }
+sampler_stages! {
+    WRAP_REPEAT_LINEAR [Cost::wraps(1)] = linear_lanes, true;
+    WRAP_REPEAT_NEAREST [Cost::wraps(1)] = wrap_nearest::<AROUND>, repeat;
+    /// CLAMP and CLAMP_TO_EDGE: the padding of the image tells them apart.
+    WRAP_CLAMP_LINEAR [Cost::wraps(1)] = linear_lanes, false;
+    WRAP_CLAMP_NEAREST [Cost::wraps(1)] = wrap_nearest::<TO_EDGE>, clamp;
+    WRAP_BORDER_LINEAR [Cost::wraps(1)] = wrap_linear::<TO_BORDER>, border;
+    WRAP_BORDER_NEAREST [Cost::wraps(1)] = wrap_nearest::<TO_BORDER>, border;
+    WRAP_MIRRORED_LINEAR [Cost::wraps(1)] = wrap_linear::<TO_EDGE>, mirrored;
+    WRAP_MIRRORED_NEAREST [Cost::wraps(1)] = wrap_nearest::<TO_EDGE>, mirrored;
+    /// MIRROR_CLAMP and MIRROR_CLAMP_TO_EDGE.
+    WRAP_MIRROR_CLAMP_LINEAR [Cost::wraps(1)] = wrap_linear::<TO_EDGE>, mirror_clamp;
+    WRAP_MIRROR_CLAMP_NEAREST [Cost::wraps(1)] = wrap_nearest::<TO_EDGE>, mirror_clamp;
+    WRAP_MIRROR_BORDER_LINEAR [Cost::wraps(1)] = wrap_linear::<TO_BORDER>, mirror_border;
+    WRAP_MIRROR_BORDER_NEAREST [Cost::wraps(1)] = wrap_nearest::<TO_BORDER>, mirror_border;
 }
 
 #[cfg(test)]
