@@ -19,6 +19,7 @@ use super::current;
 use super::manual::with;
 use crate::context::{InSlice, IntoBool, IntoInt, Pixels, PixelsMut};
 use crate::enums::{GLboolean, GLdouble, GLenum, GLint, GLsizei};
+use crate::glu::rows::{mipmap_rows, quadric_rows};
 use crate::glu::{self, Matrix, MipmapLevels, Quadric};
 use std::cell::RefCell;
 
@@ -41,7 +42,8 @@ impl GLUquadric {
 }
 
 macro_rules! mipmaps {
-    ($($name:ident $levels_name:ident $build:ident $build_levels:ident ($($size:ident),*);)*) => {$(
+    ($($dims:literal $name:ident $build:ident $levels_name:ident $build_levels:ident
+       ($($size:ident),*) [$($in_memory:tt)*];)*) => {$(
         #[doc = concat!("See [`", stringify!($build), "`](crate::glu::", stringify!($build), ").")]
         #[track_caller]
         pub fn $name<'a>(
@@ -76,11 +78,7 @@ macro_rules! mipmaps {
     )*};
 }
 
-mipmaps! {
-    gluBuild1DMipmaps gluBuild1DMipmapLevels build_1d_mipmaps build_1d_mipmap_levels (width);
-    gluBuild2DMipmaps gluBuild2DMipmapLevels build_2d_mipmaps build_2d_mipmap_levels (width, height);
-    gluBuild3DMipmaps gluBuild3DMipmapLevels build_3d_mipmaps build_3d_mipmap_levels (width, height, depth);
-}
+mipmap_rows!(mipmaps);
 
 /// See [`scale_image`](crate::glu::scale_image).
 #[track_caller]
@@ -265,62 +263,26 @@ pub fn gluQuadricCallback(quadric: &GLUquadric, which: GLenum, callback: Option<
     quadric.with(|q| q.callback(which, callback));
 }
 
-/// Draws with a quadric and the current context.
-macro_rules! draw {
-    ($name:ident, $quadric:ident, $method:ident($($a:expr),*)) => {
-        with!($name, cx => {
-            if let Ok(mut quadric) = $quadric.0.try_borrow_mut() {
-                quadric.$method(cx, $($a),*);
-            }
-        })
-    };
+/// Defines the functions that draw a quadric with the current context.
+macro_rules! quadrics {
+    ($($name:ident $method:ident ($($number:ident),*) ($($count:ident),*) ($($more:ident),*);)*) => {$(
+        #[doc = concat!("See [`Quadric::", stringify!($method), "`](crate::glu::Quadric::", stringify!($method), ").")]
+        #[track_caller]
+        pub fn $name(
+            quadric: &GLUquadric,
+            $($number: impl Into<GLdouble>,)*
+            $($count: GLint,)*
+            $($more: impl Into<GLdouble>,)*
+        ) {
+            with!($name, cx => {
+                if let Ok(mut quadric) = quadric.0.try_borrow_mut() {
+                    quadric.$method(cx, $($number.into(),)* $($count,)* $($more.into(),)*);
+                }
+            });
+        }
+    )*};
 }
-
-/// See [`Quadric::sphere`](crate::glu::Quadric::sphere).
-#[track_caller]
-pub fn gluSphere(quadric: &GLUquadric, radius: impl Into<GLdouble>, slices: GLint, stacks: GLint) {
-    draw!(gluSphere, quadric, sphere(radius.into(), slices, stacks));
-}
-
-/// See [`Quadric::cylinder`](crate::glu::Quadric::cylinder).
-#[track_caller]
-pub fn gluCylinder(
-    quadric: &GLUquadric,
-    base: impl Into<GLdouble>,
-    top: impl Into<GLdouble>,
-    height: impl Into<GLdouble>,
-    slices: GLint,
-    stacks: GLint,
-) {
-    draw!(gluCylinder, quadric, cylinder(base.into(), top.into(), height.into(), slices, stacks));
-}
-
-/// See [`Quadric::disk`](crate::glu::Quadric::disk).
-#[track_caller]
-pub fn gluDisk(
-    quadric: &GLUquadric,
-    inner: impl Into<GLdouble>,
-    outer: impl Into<GLdouble>,
-    slices: GLint,
-    loops: GLint,
-) {
-    draw!(gluDisk, quadric, disk(inner.into(), outer.into(), slices, loops));
-}
-
-/// See [`Quadric::partial_disk`](crate::glu::Quadric::partial_disk).
-#[track_caller]
-pub fn gluPartialDisk(
-    quadric: &GLUquadric,
-    inner: impl Into<GLdouble>,
-    outer: impl Into<GLdouble>,
-    slices: GLint,
-    loops: GLint,
-    start: impl Into<GLdouble>,
-    sweep: impl Into<GLdouble>,
-) {
-    let (start, sweep) = (start.into(), sweep.into());
-    draw!(gluPartialDisk, quadric, partial_disk(inner.into(), outer.into(), slices, loops, start, sweep));
-}
+quadric_rows!(quadrics);
 
 /// An error code of GL or GLU in words; empty for a number that is neither.
 #[must_use]

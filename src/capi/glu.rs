@@ -4,6 +4,7 @@
 use super::{current, memory};
 use crate::Context;
 use crate::enums::*;
+use crate::glu::rows::{mipmap_rows, quadric_rows};
 use crate::glu::{self, Matrix, MipmapLevels, Quadric};
 use std::ffi::{CStr, c_char, c_void};
 use std::ptr::null;
@@ -15,9 +16,9 @@ pub struct CQuadric {
     callback: Option<extern "C" fn(GLenum)>,
 }
 
-/// Defines exported functions, and `find`, which knows them by their names.
+/// Defines exported functions, and a function that knows them by their names.
 macro_rules! exports {
-    ($( $(#[$doc:meta])* fn $name:ident($($a:ident: $t:ty),* $(,)?) $(-> $r:ty)? $body:block )*) => {
+    ($find:ident: $( $(#[$doc:meta])* fn $name:ident($($a:ident: $t:ty),* $(,)?) $(-> $r:ty)? $body:block )*) => {
         $(
             $(#[$doc])*
             /// # Safety
@@ -26,8 +27,7 @@ macro_rules! exports {
             pub unsafe extern "C" fn $name($($a: $t),*) $(-> $r)? $body
         )*
 
-        /// The address of a function.
-        pub(super) fn find(name: &str) -> Option<*const c_void> {
+        fn $find(name: &str) -> Option<*const c_void> {
             match name {
                 $( stringify!($name) => Some($name as *const c_void), )*
                 _ => None,
@@ -93,80 +93,58 @@ unsafe fn store<const N: usize>(point: Option<[f64; N]>, places: [*mut f64; N]) 
     1
 }
 
-exports! {
-    fn gluBuild1DMipmaps(
-        target: GLenum, internalformat: i32, width: i32, format: GLenum, type_: GLenum, data: *const c_void,
-    ) -> i32 {
-        current::with(|cx| {
-            let n = memory::unpack_bytes(cx, [width, 1], format, type_);
-            // SAFETY: the caller's promise.
-            glu::build_1d_mipmaps(cx, target, internalformat, width, format, type_, unsafe { memory::bytes(data, n) })
-        })
-    }
+/// Defines the functions that build mipmaps.
+macro_rules! mipmaps {
+    ($($dims:literal $name:ident $build:ident $levels_name:ident $build_levels:ident
+       ($($size:ident),*) [$($in_memory:tt)*];)*) => {
+        exports! { find_mipmaps: $(
+            fn $name(
+                target: GLenum, internalformat: i32, $($size: i32,)* format: GLenum, type_: GLenum, data: *const c_void,
+            ) -> i32 {
+                current::with(|cx| {
+                    let n = memory::unpack_bytes(cx, [$($in_memory)*], format, type_);
+                    // SAFETY: the caller's promise.
+                    let data = unsafe { memory::bytes(data, n) };
+                    glu::$build(cx, target, internalformat, $($size,)* format, type_, data)
+                })
+            }
 
-    fn gluBuild2DMipmaps(
-        target: GLenum, internalformat: i32, width: i32, height: i32, format: GLenum, type_: GLenum,
-        data: *const c_void,
-    ) -> i32 {
-        current::with(|cx| {
-            let n = memory::unpack_bytes(cx, [width, height], format, type_);
-            // SAFETY: the caller's promise.
-            let data = unsafe { memory::bytes(data, n) };
-            glu::build_2d_mipmaps(cx, target, internalformat, width, height, format, type_, data)
-        })
-    }
+            fn $levels_name(
+                target: GLenum, internalformat: i32, $($size: i32,)* format: GLenum, type_: GLenum, level: i32, base: i32,
+                max: i32, data: *const c_void,
+            ) -> i32 {
+                current::with(|cx| {
+                    let n = memory::unpack_bytes(cx, [$($in_memory)*], format, type_);
+                    let levels = MipmapLevels { level, base, max };
+                    // SAFETY: the caller's promise.
+                    let data = unsafe { memory::bytes(data, n) };
+                    glu::$build_levels(cx, target, internalformat, $($size,)* format, type_, levels, data)
+                })
+            }
+        )* }
+    };
+}
+mipmap_rows!(mipmaps);
 
-    fn gluBuild3DMipmaps(
-        target: GLenum, internalformat: i32, width: i32, height: i32, depth: i32, format: GLenum, type_: GLenum,
-        data: *const c_void,
-    ) -> i32 {
-        current::with(|cx| {
-            let n = memory::unpack_bytes(cx, [width, height, depth], format, type_);
-            // SAFETY: the caller's promise.
-            let data = unsafe { memory::bytes(data, n) };
-            glu::build_3d_mipmaps(cx, target, internalformat, width, height, depth, format, type_, data)
-        })
-    }
+/// Defines the functions that draw a quadric with the current context.
+macro_rules! quadrics {
+    ($($name:ident $method:ident ($($number:ident),*) ($($count:ident),*) ($($more:ident),*);)*) => {
+        exports! { find_quadrics: $(
+            fn $name(quadric: *mut CQuadric, $($number: f64,)* $($count: i32,)* $($more: f64,)*) {
+                // SAFETY: the caller's promise.
+                unsafe { draw(quadric, |q, cx| q.$method(cx, $($number,)* $($count,)* $($more,)*)) }
+            }
+        )* }
+    };
+}
+quadric_rows!(quadrics);
 
-    fn gluBuild1DMipmapLevels(
-        target: GLenum, internalformat: i32, width: i32, format: GLenum, type_: GLenum, level: i32, base: i32,
-        max: i32, data: *const c_void,
-    ) -> i32 {
-        current::with(|cx| {
-            let n = memory::unpack_bytes(cx, [width, 1], format, type_);
-            let levels = MipmapLevels { level, base, max };
-            // SAFETY: the caller's promise.
-            let data = unsafe { memory::bytes(data, n) };
-            glu::build_1d_mipmap_levels(cx, target, internalformat, width, format, type_, levels, data)
-        })
-    }
+/// The address of a function.
+pub(super) fn find(name: &str) -> Option<*const c_void> {
+    find_others(name).or_else(|| find_mipmaps(name)).or_else(|| find_quadrics(name))
+}
 
-    fn gluBuild2DMipmapLevels(
-        target: GLenum, internalformat: i32, width: i32, height: i32, format: GLenum, type_: GLenum, level: i32,
-        base: i32, max: i32, data: *const c_void,
-    ) -> i32 {
-        current::with(|cx| {
-            let n = memory::unpack_bytes(cx, [width, height], format, type_);
-            let levels = MipmapLevels { level, base, max };
-            // SAFETY: the caller's promise.
-            let data = unsafe { memory::bytes(data, n) };
-            glu::build_2d_mipmap_levels(cx, target, internalformat, width, height, format, type_, levels, data)
-        })
-    }
-
-    fn gluBuild3DMipmapLevels(
-        target: GLenum, internalformat: i32, width: i32, height: i32, depth: i32, format: GLenum, type_: GLenum,
-        level: i32, base: i32, max: i32, data: *const c_void,
-    ) -> i32 {
-        current::with(|cx| {
-            let n = memory::unpack_bytes(cx, [width, height, depth], format, type_);
-            let levels = MipmapLevels { level, base, max };
-            // SAFETY: the caller's promise.
-            let data = unsafe { memory::bytes(data, n) };
-            glu::build_3d_mipmap_levels(cx, target, internalformat, width, height, depth, format, type_, levels, data)
-        })
-    }
-
+exports! { find_others:
     fn gluScaleImage(
         format: GLenum, width_in: i32, height_in: i32, type_in: GLenum, data_in: *const c_void, width_out: i32,
         height_out: i32, type_out: GLenum, data_out: *mut c_void,
@@ -279,28 +257,6 @@ exports! {
             // SAFETY: the caller's promise.
             _ => unsafe { with(quadric, |q| q.callback(which, None)) },
         }
-    }
-
-    fn gluSphere(quadric: *mut CQuadric, radius: f64, slices: i32, stacks: i32) {
-        // SAFETY: the caller's promise.
-        unsafe { draw(quadric, |q, cx| q.sphere(cx, radius, slices, stacks)) }
-    }
-
-    fn gluCylinder(quadric: *mut CQuadric, base: f64, top: f64, height: f64, slices: i32, stacks: i32) {
-        // SAFETY: the caller's promise.
-        unsafe { draw(quadric, |q, cx| q.cylinder(cx, base, top, height, slices, stacks)) }
-    }
-
-    fn gluDisk(quadric: *mut CQuadric, inner: f64, outer: f64, slices: i32, loops: i32) {
-        // SAFETY: the caller's promise.
-        unsafe { draw(quadric, |q, cx| q.disk(cx, inner, outer, slices, loops)) }
-    }
-
-    fn gluPartialDisk(
-        quadric: *mut CQuadric, inner: f64, outer: f64, slices: i32, loops: i32, start: f64, sweep: f64,
-    ) {
-        // SAFETY: the caller's promise.
-        unsafe { draw(quadric, |q, cx| q.partial_disk(cx, inner, outer, slices, loops, start, sweep)) }
     }
 
     fn gluErrorString(error: GLenum) -> *const c_char {

@@ -5,6 +5,8 @@
 //! [`perspective`]`(cx, ..)`. Functions on images return 0 or a code (`GLU_INVALID_ENUM`, ...), as in C; the sentence that
 //! goes with it reaches the debug callback. See spec-notes/glu.md.
 
+#![expect(clippy::too_many_arguments, reason = "the functions are GLU's")]
+
 pub mod constants;
 mod grid;
 mod matrices;
@@ -13,6 +15,7 @@ mod project;
 mod pyramid;
 mod quadrics;
 mod revolution;
+pub(crate) mod rows;
 mod scale;
 mod strings;
 
@@ -31,126 +34,55 @@ pub(crate) use strings::{error_words, words};
 use crate::context::{Context, IntoInt, Pixels, PixelsMut};
 use crate::enums::GLenum;
 
-/// Builds all levels of a 1D texture (`gluBuild1DMipmaps`). 0 or a code of GLU.
-#[track_caller]
-pub fn build_1d_mipmaps<'a>(
-    cx: &mut Context,
-    target: GLenum,
-    internal_format: impl IntoInt,
-    width: i32,
-    format: GLenum,
-    type_: GLenum,
-    data: impl Into<Pixels<'a>>,
-) -> i32 {
-    let (size, data) = ([width, 1, 1], &data.into());
-    let internal_format = internal_format.into_int();
-    let job = mipmap::MipmapJob { dimensions: 1, target, internal_format, size, format, type_, data };
-    mipmap::build(cx, "gluBuild1DMipmaps", &job, None)
-}
+/// Defines the functions that build mipmaps.
+macro_rules! mipmaps {
+    ($($dims:literal $c_name:ident $name:ident $c_levels_name:ident $levels_name:ident
+       ($($size:ident),*) [$($in_memory:tt)*];)*) => {$(
+        #[doc = concat!("Builds all levels of a ", $dims, "D texture (`", stringify!($c_name), "`); in two dimensions also ")]
+        #[doc = "those of a face of a cube map. 0 or a code of GLU."]
+        #[track_caller]
+        pub fn $name<'a>(
+            cx: &mut Context,
+            target: GLenum,
+            internal_format: impl IntoInt,
+            $($size: i32,)*
+            format: GLenum,
+            type_: GLenum,
+            data: impl Into<Pixels<'a>>,
+        ) -> i32 {
+            let (size, internal_format, data) = (sizes([$($size),*]), internal_format.into_int(), &data.into());
+            let job = mipmap::MipmapJob { dimensions: $dims, target, internal_format, size, format, type_, data };
+            mipmap::build(cx, stringify!($c_name), &job, None)
+        }
 
-/// Builds all levels of a 2D texture or of a face of a cube map (`gluBuild2DMipmaps`). 0 or a code of GLU.
-#[track_caller]
-#[expect(clippy::too_many_arguments, reason = "the arguments of gluBuild2DMipmaps")]
-pub fn build_2d_mipmaps<'a>(
-    cx: &mut Context,
-    target: GLenum,
-    internal_format: impl IntoInt,
-    width: i32,
-    height: i32,
-    format: GLenum,
-    type_: GLenum,
-    data: impl Into<Pixels<'a>>,
-) -> i32 {
-    let (size, data) = ([width, height, 1], &data.into());
-    let internal_format = internal_format.into_int();
-    let job = mipmap::MipmapJob { dimensions: 2, target, internal_format, size, format, type_, data };
-    mipmap::build(cx, "gluBuild2DMipmaps", &job, None)
+        #[doc = concat!("[`", stringify!($name), "`] for some levels only (`", stringify!($c_levels_name), "`).")]
+        #[track_caller]
+        pub fn $levels_name<'a>(
+            cx: &mut Context,
+            target: GLenum,
+            internal_format: impl IntoInt,
+            $($size: i32,)*
+            format: GLenum,
+            type_: GLenum,
+            levels: MipmapLevels,
+            data: impl Into<Pixels<'a>>,
+        ) -> i32 {
+            let (size, internal_format, data) = (sizes([$($size),*]), internal_format.into_int(), &data.into());
+            let job = mipmap::MipmapJob { dimensions: $dims, target, internal_format, size, format, type_, data };
+            mipmap::build(cx, stringify!($c_levels_name), &job, Some(levels))
+        }
+    )*};
 }
+rows::mipmap_rows!(mipmaps);
 
-/// Builds all levels of a 3D texture (`gluBuild3DMipmaps`). 0 or a code of GLU.
-#[track_caller]
-#[expect(clippy::too_many_arguments, reason = "the arguments of gluBuild3DMipmaps")]
-pub fn build_3d_mipmaps<'a>(
-    cx: &mut Context,
-    target: GLenum,
-    internal_format: impl IntoInt,
-    width: i32,
-    height: i32,
-    depth: i32,
-    format: GLenum,
-    type_: GLenum,
-    data: impl Into<Pixels<'a>>,
-) -> i32 {
-    let (size, data) = ([width, height, depth], &data.into());
-    let internal_format = internal_format.into_int();
-    let job = mipmap::MipmapJob { dimensions: 3, target, internal_format, size, format, type_, data };
-    mipmap::build(cx, "gluBuild3DMipmaps", &job, None)
-}
-
-/// Builds some levels of a 1D texture (`gluBuild1DMipmapLevels`). 0 or a code of GLU.
-#[track_caller]
-#[expect(clippy::too_many_arguments, reason = "the arguments of gluBuild1DMipmapLevels")]
-pub fn build_1d_mipmap_levels<'a>(
-    cx: &mut Context,
-    target: GLenum,
-    internal_format: impl IntoInt,
-    width: i32,
-    format: GLenum,
-    type_: GLenum,
-    levels: MipmapLevels,
-    data: impl Into<Pixels<'a>>,
-) -> i32 {
-    let (size, data) = ([width, 1, 1], &data.into());
-    let internal_format = internal_format.into_int();
-    let job = mipmap::MipmapJob { dimensions: 1, target, internal_format, size, format, type_, data };
-    mipmap::build(cx, "gluBuild1DMipmapLevels", &job, Some(levels))
-}
-
-/// Builds some levels of a 2D texture or of a face of a cube map (`gluBuild2DMipmapLevels`). 0 or a code of GLU.
-#[track_caller]
-#[expect(clippy::too_many_arguments, reason = "the arguments of gluBuild2DMipmapLevels")]
-pub fn build_2d_mipmap_levels<'a>(
-    cx: &mut Context,
-    target: GLenum,
-    internal_format: impl IntoInt,
-    width: i32,
-    height: i32,
-    format: GLenum,
-    type_: GLenum,
-    levels: MipmapLevels,
-    data: impl Into<Pixels<'a>>,
-) -> i32 {
-    let (size, data) = ([width, height, 1], &data.into());
-    let internal_format = internal_format.into_int();
-    let job = mipmap::MipmapJob { dimensions: 2, target, internal_format, size, format, type_, data };
-    mipmap::build(cx, "gluBuild2DMipmapLevels", &job, Some(levels))
-}
-
-/// Builds some levels of a 3D texture (`gluBuild3DMipmapLevels`). 0 or a code of GLU.
-#[track_caller]
-#[expect(clippy::too_many_arguments, reason = "the arguments of gluBuild3DMipmapLevels")]
-pub fn build_3d_mipmap_levels<'a>(
-    cx: &mut Context,
-    target: GLenum,
-    internal_format: impl IntoInt,
-    width: i32,
-    height: i32,
-    depth: i32,
-    format: GLenum,
-    type_: GLenum,
-    levels: MipmapLevels,
-    data: impl Into<Pixels<'a>>,
-) -> i32 {
-    let (size, data) = ([width, height, depth], &data.into());
-    let internal_format = internal_format.into_int();
-    let job = mipmap::MipmapJob { dimensions: 3, target, internal_format, size, format, type_, data };
-    mipmap::build(cx, "gluBuild3DMipmapLevels", &job, Some(levels))
+/// Width, height and depth of an image of one to three dimensions.
+fn sizes<const N: usize>(size: [i32; N]) -> [i32; 3] {
+    std::array::from_fn(|i| size.get(i).copied().unwrap_or(1))
 }
 
 /// Scales an image from one place in memory to another, under the unpack and pack state (`gluScaleImage`). 0 or a code
 /// of GLU; memory that is too short is `GLU_INVALID_OPERATION`.
 #[track_caller]
-#[expect(clippy::too_many_arguments, reason = "the arguments of gluScaleImage")]
 pub fn scale_image<'a, 'b>(
     cx: &mut Context,
     format: GLenum,
