@@ -34,8 +34,8 @@
 //! the plan of a state and counters of what was done, [`math`] sine and cosine that are the same everywhere. With the
 //! features `image` and `tobj`, `image_io` and `obj` read textures and meshes from files.
 //!
-//! The pages of `spec-notes/` tell how each chapter of the specification is done; begin with
-//! `spec-notes/how-a-vertex-becomes-a-pixel.md`.
+//! The pages of [`spec_notes`] tell how each chapter of the specification is done; begin with
+//! [how a vertex becomes a pixel](spec_notes::how_a_vertex_becomes_a_pixel).
 
 pub mod c;
 #[cfg(feature = "capi")]
@@ -56,6 +56,8 @@ pub mod obj;
 mod pixels;
 mod raster;
 mod simd;
+#[cfg(doc)]
+pub mod spec_notes;
 mod state;
 mod texture;
 mod vertex;

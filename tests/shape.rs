@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// The rooms, from the top of the house to its ground. A room may use what stands below it.
 const ROOMS: &[&[&str]] = &[
+    &["spec_notes"],
     &["capi"],
     &["c"],
     &["explain"],
@@ -146,4 +147,31 @@ fn paths_on_the_pages_of_spec_notes_exist() {
         }
     }
     assert!(missing.is_empty(), "paths that do not exist:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn links_between_pages_of_spec_notes_have_their_definitions() {
+    let links = fs::read_to_string(root().join("src/spec_notes/links.md")).expect("the links of rustdoc");
+    let pages = fs::read_to_string(root().join("src/spec_notes/mod.rs")).expect("the pages of rustdoc");
+    let mut wrong = Vec::new();
+    for entry in fs::read_dir(root().join("spec-notes")).expect("spec-notes").flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !name.ends_with(".md") {
+            continue;
+        }
+        let text = fs::read_to_string(entry.path()).expect("a page");
+        for link in text.split('[').skip(1).filter_map(|part| part.split(']').next()).filter(|l| l.ends_with(".md")) {
+            if !text.contains(&format!("\n[{link}]: {link}\n")) {
+                wrong.push(format!("{name} links to {link} and does not define it"));
+            }
+        }
+        if text.contains(".md)") {
+            wrong.push(format!("{name} has a link that documentation cannot follow: write [text][page.md]"));
+        }
+        let listed = links.contains(&format!("[{name}]: ")) && pages.contains(&format!("\"{name}\""));
+        if name != "README.md" && !listed {
+            wrong.push(format!("{name} is not in src/spec_notes"));
+        }
+    }
+    assert!(wrong.is_empty(), "links between pages:\n{}", wrong.join("\n"));
 }
