@@ -121,7 +121,7 @@ impl Engine {
         self.ensure_mip_levels(target, self.bound_name(target))?;
         let faces = self.bound_texture(target).faces.len();
         for face in 0..faces {
-            self.owe_levels(target, face);
+            self.defer_mip_levels(target, face);
         }
         self.ensure_mip_levels(target, self.bound_name(target))
     }
@@ -131,7 +131,7 @@ impl Engine {
         let object = self.bound_texture_mut(place.target);
         let wanted = object.parameters.generate_mipmap && usize::try_from(object.parameters.base_level) == Ok(level);
         if wanted && place.target != Target::Rectangle {
-            self.owe_levels(place.target, place.face);
+            self.defer_mip_levels(place.target, place.face);
         }
         Ok(())
     }
@@ -143,32 +143,32 @@ impl Engine {
         (base, last)
     }
 
-    fn owe_levels(&mut self, target: Target, face: usize) {
+    fn defer_mip_levels(&mut self, target: Target, face: usize) {
         let object = self.bound_texture_mut(target);
         let chain = Self::chain(object);
-        if let Some(owed) = object.owed.get_mut(face) {
-            *owed = Some(chain);
+        if let Some(pending) = object.pending_mip_levels.get_mut(face) {
+            *pending = Some(chain);
         }
         self.dirty.add(Dirty { vertex: false, fragment: true, raster: false });
     }
 
-    /// Before an image changes: levels that are owed are made of what is there, unless the change makes them anew.
+    /// Before an image changes: pending levels are made of what is there, unless the change makes them anew.
     pub(crate) fn before_image_change(&mut self, place: Place, level: usize) -> Outcome {
         let object = self.bound_texture(place.target);
         let chain = Self::chain(object);
         let again = object.parameters.generate_mipmap && chain.0 == level;
-        let owed = object.owed.get(place.face).copied().flatten();
-        if owed.is_none_or(|owed| again && owed == chain) {
+        let pending = object.pending_mip_levels.get(place.face).copied().flatten();
+        if pending.is_none_or(|pending| again && pending == chain) {
             return Ok(());
         }
         self.ensure_mip_levels(place.target, self.bound_name(place.target))
     }
 
-    /// Makes the levels that are owed to a texture object.
+    /// Makes the pending levels of a texture object.
     pub(crate) fn ensure_mip_levels(&mut self, target: Target, texture: u32) -> Outcome {
         for face in 0..6 {
-            let owed = self.textures.object_mut(target, texture).owed.get_mut(face).and_then(Option::take);
-            if let Some(chain) = owed {
+            let pending = &mut self.textures.object_mut(target, texture).pending_mip_levels;
+            if let Some(chain) = pending.get_mut(face).and_then(Option::take) {
                 self.make_face_levels((target, texture), face, chain)?;
             }
         }

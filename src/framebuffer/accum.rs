@@ -1,4 +1,4 @@
-//! The accumulation buffer (OpenGL 1.5, section 4.2.4). It is made when it is first used: few programs do. Values are
+//! The accumulation buffer (OpenGL 1.5, section 4.2.4). It is allocated at its first use, since few programs use it. Values are
 //! floats limited to [-1, 1] where the specification limits them, so that 64 frames of weight 1/64 lose nothing.
 
 use super::clear::Rect;

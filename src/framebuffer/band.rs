@@ -1,5 +1,5 @@
-//! A band: some rows of the framebuffer, all buffers alike, lent to one worker. Bands of one framebuffer do not overlap,
-//! so workers need no locks, and because a pixel lies in one band only, the number of workers changes no result.
+//! A band: consecutive rows of all buffers, which one worker thread draws into. Bands of one framebuffer do not overlap, so
+//! workers need no locks, and because a pixel lies in one band only, the number of workers changes no result.
 
 use super::hier_z::{self, HierZ};
 use super::{DeferredClear, Framebuffer};
@@ -26,11 +26,11 @@ pub struct Band<'a> {
     pub float: &'a mut [[f32; 4]],
     /// Depths; empty where there is no depth buffer.
     pub depth: &'a mut [u32],
-    /// What is known of the depths of whole blocks; who raises a depth must say so ([`HierZ::invalidate`]).
+    /// Upper bounds of the depths of blocks. Code that may raise a depth calls [`HierZ::invalidate`].
     pub hier_z: HierZ<'a>,
     /// Stencil values; empty where there is no stencil buffer.
     pub stencil: &'a mut [u8],
-    /// A clear that is to be carried out first ([`Band::apply_deferred_clear`]).
+    /// A clear that is carried out before the band is drawn into ([`Band::apply_deferred_clear`]).
     pub deferred: Option<DeferredClear>,
     /// How many fragments passed the tests (occlusion queries); counted only by programs that were built to count.
     pub samples: u64,
@@ -55,7 +55,7 @@ impl Band<'_> {
     }
 }
 
-/// Cuts `n` elements off the front; what is there where there are fewer.
+/// Cuts `n` elements off the front, or all where there are fewer.
 fn cut<'a, T>(rest: &mut &'a mut [T], n: usize) -> &'a mut [T] {
     let all = take(rest);
     let n = n.min(all.len());
@@ -65,7 +65,7 @@ fn cut<'a, T>(rest: &mut &'a mut [T], n: usize) -> &'a mut [T] {
 }
 
 impl Framebuffer {
-    /// The whole framebuffer as one band; no clear waits.
+    /// The whole framebuffer as one band; a deferred clear is carried out.
     pub fn band(&mut self) -> Band<'_> {
         let deferred = self.deferred.take();
         let (width, stride, flipped, rows) = (self.width, self.stride, self.flipped, self.height);
@@ -79,7 +79,7 @@ impl Framebuffer {
     }
 
     /// The framebuffer cut into bands of `rows` rows (the highest may have fewer), lowest first: row y is in band
-    /// `y / rows`. A clear that waits is handed to each of them.
+    /// `y / rows`. A deferred clear goes to each of them.
     pub fn bands(&mut self, rows: u32) -> Vec<Band<'_>> {
         let rows = rows.max(1);
         let deferred = self.deferred.take();

@@ -1,6 +1,6 @@
-//! Clears that wait (OpenGL 1.5, section 4.2.3). A clear of whole buffers is only noted; when the next scene is drawn, each
-//! band is filled just before it is drawn into, while it is in the cache, by the worker that draws it. Whoever is about
-//! to look at the framebuffer without drawing carries the clear out first ([`Framebuffer::apply_deferred_clear`]).
+//! Deferred clears (OpenGL 1.5, section 4.2.3). A clear of whole buffers is only noted. When the next scene is drawn, the
+//! worker thread of each band fills it just before it draws into it, so that the band is in the cache already. Anything
+//! that reads the framebuffer without drawing first calls [`Framebuffer::apply_deferred_clear`].
 
 use super::{Band, Clear, Framebuffer, Rect};
 use crate::num::{clamp01, f32_to_u8};
@@ -15,7 +15,7 @@ pub struct DeferredClear {
 }
 
 impl Framebuffer {
-    /// [`clear`](Self::clear), which may wait where it fills whole buffers.
+    /// [`clear`](Self::clear), deferred where it fills whole buffers.
     pub fn defer_clear(&mut self, clear: &Clear, scissor: Option<Rect>) -> crate::error::Outcome {
         self.apply_deferred_clear();
         let all = self.rect(0, 0, i32::MAX, i32::MAX);
@@ -37,13 +37,13 @@ impl Framebuffer {
         Ok(())
     }
 
-    /// Whether a clear waits.
+    /// Whether a clear is deferred.
     #[must_use]
     pub fn has_deferred_clear(&self) -> bool {
         self.deferred.is_some()
     }
 
-    /// Carries out the clear that waits.
+    /// Carries out the deferred clear, if there is one.
     pub fn apply_deferred_clear(&mut self) {
         if self.deferred.is_some() {
             self.band();
@@ -66,7 +66,7 @@ fn fill<T: Copy>(pixels: &mut [T], value: T, width: u32, stride: u32) {
 }
 
 impl Band<'_> {
-    /// Carries out the clear that waits for whoever draws into the band: to be called before that.
+    /// Carries out the deferred clear of the band, if there is one. To be called before the band is drawn into.
     pub fn apply_deferred_clear(&mut self) {
         let Some(clear) = self.deferred.take() else { return };
         if let Some((packed, float)) = clear.color {

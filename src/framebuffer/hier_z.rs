@@ -1,7 +1,7 @@
-//! The coarse depth buffer: for every block of 64 pixels of a row a depth that none of its pixels is beyond. A run of
-//! fragments that lies behind all its blocks fails LESS, LEQUAL and EQUAL (OpenGL 1.5, section 4.1.6) without any of its
-//! pixels being read. Integers of the depth buffer are compared; a limit may be too great, never too small. Clears set it,
-//! long runs look at what they have left behind, and what may raise depths forgets all.
+//! Hierarchical depth: for every block of 64 pixels of a row an upper bound of its depths. A span whose fragments are all
+//! beyond the bounds of its blocks fails LESS, LEQUAL and EQUAL (OpenGL 1.5, section 4.1.6) without a read of the depth
+//! buffer. Bounds are integers of the depth buffer; one may be too great, never too small. Clears set them, long spans
+//! lower them after they have written, and whatever may raise depths sets all of them to the greatest value.
 
 use super::{Framebuffer, Rect};
 
@@ -13,7 +13,7 @@ pub(super) fn columns(width: u32) -> usize {
     (width as usize).div_ceil(BLOCK)
 }
 
-/// The coarse depths of a band, rows in the order of memory.
+/// The bounds of a band, rows in the order of memory.
 #[derive(Debug)]
 pub struct HierZ<'a> {
     pub(super) limits: &'a mut [u32],
@@ -30,7 +30,7 @@ impl HierZ<'_> {
         self.limits.get(first..first.wrapping_add(self.columns)).unwrap_or(&[])
     }
 
-    /// Says that no pixel of a block is beyond `limit`.
+    /// Notes that no depth of a block is above `limit`.
     #[inline(always)]
     pub fn set(&mut self, row: usize, block: usize, limit: u32) {
         let at = row.wrapping_mul(self.columns).wrapping_add(block);
@@ -42,13 +42,13 @@ impl HierZ<'_> {
         }
     }
 
-    /// Says that all depths of the band are `value`.
+    /// Notes that all depths of the band are `value`.
     pub fn cleared(&mut self, value: u32) {
         self.limits.fill(value);
         self.invalid = false;
     }
 
-    /// Says that depths may be raised anywhere in the band.
+    /// Notes that depths may be raised anywhere in the band.
     #[inline(always)]
     pub fn invalidate(&mut self) {
         if !self.invalid {
@@ -59,7 +59,7 @@ impl HierZ<'_> {
 }
 
 impl Framebuffer {
-    /// A rectangle's depths have been set to `value`.
+    /// Notes that the depths of a rectangle have been set to `value`.
     pub(super) fn hier_z_cleared(&mut self, rect: Rect, value: u32) {
         let columns = columns(self.width);
         for y in rect.y..rect.y + rect.height {

@@ -98,7 +98,7 @@ pub struct Framebuffer {
     hier_z: Vec<u32>,
     stencil: Vec<u8>,
     accum: Vec<[f32; 4]>,
-    /// A clear of whole buffers that waits for what is drawn next.
+    /// A clear of whole buffers that is carried out when something is drawn or read.
     deferred: Option<DeferredClear>,
 }
 

@@ -122,10 +122,10 @@ fn upload_bytes(
     wanted: RangeInclusive<i32>,
 ) -> Result<(), ImageError> {
     let packed = MipmapJob { format: GL_RGBA, ..*job };
-    let last = at + pyramid.floors.len() as i32;
-    for (l, floor) in (at + 1..).zip(&pyramid.floors).filter(|(l, _)| wanted.contains(l)) {
-        let size = [floor.width, floor.texels.len() / floor.width, 1].map(|n| n as i32);
-        let bytes = Pixels::Bytes(Cow::Borrowed(as_bytes(&floor.texels)));
+    let last = at + pyramid.levels.len() as i32;
+    for (l, below) in (at + 1..).zip(&pyramid.levels).filter(|(l, _)| wanted.contains(l)) {
+        let size = [below.width, below.texels.len() / below.width, 1].map(|n| n as i32);
+        let bytes = Pixels::Bytes(Cow::Borrowed(as_bytes(&below.texels)));
         upload(cx, &packed, l, size, GL_UNSIGNED_INT_8_8_8_8_REV, bytes);
     }
     upload_levels(cx, job, pixel, pyramid.last, last, *wanted.start().max(&(last + 1))..=*wanted.end())

@@ -1,7 +1,7 @@
 //! GLU, the utility library (GLU 1.3): mipmaps, image scaling, projections, quadrics, strings.
 //!
 //! Everything here is made of GL commands of a [`Context`], as a program could write it; only the pixel store is read and
-//! set aside behind its back. Functions keep GLU's names in snake_case and take the context first: `gluPerspective` is
+//! replaced for the time of a call without a command. Functions keep GLU's names in snake_case and take the context first: `gluPerspective` is
 //! [`perspective`]`(cx, ..)`. Functions on images return 0 or a code (`GLU_INVALID_ENUM`, ...), as in C; the sentence that
 //! goes with it reaches the debug callback. See spec-notes/glu.md.
 

@@ -11,7 +11,7 @@ use crate::pixels::unpack::ClientImage;
 use crate::simd::{Level, stage};
 
 /// One level.
-pub(super) struct Floor {
+pub(super) struct PyramidLevel {
     pub width: usize,
     /// The row of an even number and that of an odd one: four planes of components, one after the other.
     rows: [Vec<f32>; 2],
@@ -24,7 +24,7 @@ pub(super) struct Pyramid {
     /// Two rows of the image, packed as the texels of a level are.
     image_rows: [Vec<u32>; 2],
     /// The levels in order.
-    pub floors: Vec<Floor>,
+    pub levels: Vec<PyramidLevel>,
     /// The last level before it is rounded; one of its sizes is 1.
     pub last: Grid,
 }
@@ -34,10 +34,10 @@ type RowsFn = for<'a> unsafe fn(&'a mut Pyramid, usize);
 stage! {
     /// Makes row `y` of level 1 and all rows of further levels that can be made then.
     fn ROWS: RowsFn = (pyramid: &mut Pyramid, y: usize) {
-        let Pyramid { image_rows, floors, .. } = pyramid;
+        let Pyramid { image_rows, levels, .. } = pyramid;
         let mut above: Option<&[Vec<f32>; 2]> = None;
         let mut y = y;
-        for Floor { width, rows, texels } in floors {
+        for PyramidLevel { width, rows, texels } in levels {
             let row = &mut rows[y & 1];
             match above {
                 None => halve_bytes(image_rows, *width, row),
@@ -99,15 +99,15 @@ impl Pyramid {
     pub fn of(image: &ClientImage<'_>, simd: Level) -> Option<Pyramid> {
         let [width, height, _] = image.size();
         let count = width.min(height).checked_ilog2().filter(|&count| count > 0)?;
-        let mut floors = Vec::new();
+        let mut levels = Vec::new();
         for l in 1..=count {
             let (width, height) = (width >> l, height >> l);
             let row = || try_vec(4 * width, 0.0f32);
-            floors.push(Floor { width, rows: [row()?, row()?], texels: try_vec(width * height, 0u32)? });
+            levels.push(PyramidLevel { width, rows: [row()?, row()?], texels: try_vec(width * height, 0u32)? });
         }
         let last = [width >> count, height >> count, 1];
         let last = Grid { size: last, texels: try_vec(last[0] * last[1], [0.0; 4])? };
-        let mut pyramid = Pyramid { image_rows: [try_vec(width, 0)?, try_vec(width, 0)?], floors, last };
+        let mut pyramid = Pyramid { image_rows: [try_vec(width, 0)?, try_vec(width, 0)?], levels, last };
         for y in 0..height / 2 {
             for (n, row) in pyramid.image_rows.iter_mut().enumerate() {
                 image.colors_rgba8([0, 2 * y + n, 0], Transfer::NEUTRAL, row);
@@ -125,7 +125,7 @@ impl Pyramid {
 
     /// Row `y` of the last level is done.
     fn keep_last(&mut self, y: usize) {
-        let (Some(Floor { width, rows, .. }), to) = (self.floors.last(), &mut self.last.texels) else { return };
+        let (Some(PyramidLevel { width, rows, .. }), to) = (self.levels.last(), &mut self.last.texels) else { return };
         for (x, to) in to.iter_mut().skip(y * width).take(*width).enumerate() {
             *to = std::array::from_fn(|c| rows[y & 1].get(c * width + x).copied().unwrap_or(0.0));
         }
@@ -162,7 +162,7 @@ mod tests {
                 for simd in Level::available() {
                     let pyramid = Pyramid::of(&image, simd).expect("memory");
                     let mut grid = Grid::unpack(&image).expect("memory");
-                    for Floor { width, texels, .. } in &pyramid.floors {
+                    for PyramidLevel { width, texels, .. } in &pyramid.levels {
                         grid.halve().expect("memory");
                         let want: Vec<u32> = grid.texels.iter().map(|&texel| to_rgba8(texel)).collect();
                         assert_eq!((*width, texels), (grid.size[0], &want), "{size:?} {format:#x} {simd:?}");

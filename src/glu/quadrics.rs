@@ -1,7 +1,7 @@
 //! Quadrics: spheres, cylinders (and cones), disks and parts of disks (GLU 1.3, chapter 6).
 //!
-//! A [`Quadric`] only keeps how its surfaces are to look; each surface is a table for the one drawer of surfaces of
-//! revolution. Texture coordinates are those of the original GLU: around a sphere or cylinder s runs from 1 at +y over
+//! A [`Quadric`] only keeps how its surfaces are to look; each surface is a row of numbers for the code that draws
+//! surfaces of revolution. Texture coordinates are those of the original GLU: around a sphere or cylinder s runs from 1 at +y over
 //! 0.75 at +x down to 0, so that an image is not mirrored when seen from outside; a disk cuts its circle out of the image.
 
 use super::constants::*;

@@ -1,14 +1,13 @@
 //! Drawing a surface of revolution (GLU 1.3, chapter 6): every quadric is rings of points around the z axis.
 //!
 //! A quadric is a small table: where ring `j` is (radius and height), how its normal leans, and what its texture
-//! coordinates are. What the draw styles do with rings and slices is written once, here, against a [`PrimitiveSink`] that is a
-//! context or, in the tests, a list. Slices run from +y towards +x, as GLU's do.
+//! coordinates are. What the draw styles do with rings and slices is written once, here, for any [`PrimitiveSink`]. Slices run from +y towards +x, as GLU's do.
 
 use super::constants::*;
 use crate::enums::*;
 use crate::num::sin_cos_deg;
 
-/// What takes the primitives.
+/// Receives the primitives: a context, or a list in the tests.
 pub(super) trait PrimitiveSink {
     fn begin(&mut self, mode: GLenum);
     fn end(&mut self);

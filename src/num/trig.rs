@@ -92,7 +92,7 @@ pub fn sin_cos_deg(degrees: f64) -> (f64, f64) {
     let d = degrees % 360.0;
     let n = nearest(d / 90.0);
     let r = d - n * 90.0;
-    // The angles that programs write come out as people write them: a half, and equal legs.
+    // Multiples of 30 and 45 degrees, which programs use most, are exact: 1/2, and equal sine and cosine.
     let rest = match r.abs() {
         30.0 => (0.5f64.copysign(r), HALF_SQRT_3),
         45.0 => (FRAC_1_SQRT_2.copysign(r), FRAC_1_SQRT_2),

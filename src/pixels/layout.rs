@@ -6,7 +6,7 @@ use super::format::{PixelFormat, Type};
 use crate::error::{GlError, Outcome, invalid_operation, invalid_value};
 use crate::state::pixel::PixelStore;
 
-/// The place of an image in client memory.
+/// The layout of an image in client memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClientLayout {
     /// Groups in a row of the image.
@@ -30,13 +30,13 @@ pub struct ClientLayout {
 }
 
 impl ClientLayout {
-    /// The geometry of a 1D or 2D image: skipped slices and the image height do not apply.
+    /// The layout of a 1D or 2D image: skipped slices and the image height do not apply.
     pub fn of_2d(store: &PixelStore, size: [i32; 2], pixel: PixelFormat) -> Outcome<ClientLayout> {
         let store = PixelStore { skip_images: 0, image_height: 0, ..*store };
         ClientLayout::of_3d(&store, [size[0], size[1], 1], pixel)
     }
 
-    /// The geometry of a 3D image.
+    /// The layout of a 3D image.
     pub fn of_3d(store: &PixelStore, size: [i32; 3], pixel: PixelFormat) -> Outcome<ClientLayout> {
         let [width, height, depth] = size.map(u64::try_from);
         let (Ok(width), Ok(height), Ok(depth)) = (width, height, depth) else {

@@ -1,6 +1,6 @@
 //! From rows of groups to client memory (OpenGL 1.5, sections 4.3.2 and 6.1.4, figure 4.2): pixel transfer, a luminance
 //! is the sum of R, G and B, the clamp to [0, 1], then each component is rounded to the nearest number of the type.
-//! The mirror of `unpack`, with the same short way for 8-bit colours that nothing changes. Bytes between the groups
+//! The mirror of `unpack`, with the same fast path for 8-bit colours that nothing changes. Bytes between the groups
 //! (alignment, skips, the rest of long rows) are never touched.
 
 use super::element::{Element, from_rgba8};
@@ -132,7 +132,7 @@ impl<'a> ClientTarget<'a> {
         }
     }
 
-    /// The short way for components of 8 bits and for floats. False if it is another type.
+    /// The fast path for components of 8 bits and for floats. False if it is another type.
     fn copy_rgba8(&mut self, at: [usize; 3], texels: &[u32]) -> bool {
         let (type_, format, swap) = (self.pixel.type_, self.pixel.format, self.swap);
         let groups = self.groups(at);

@@ -1,4 +1,4 @@
-//! Both directions together: every legal pair of format and type comes back, the short ways agree with the long one,
+//! Both directions together: every legal pair of format and type comes back, the fast paths agree with the general one,
 //! storage modes put each group where the equations say.
 
 use super::element::{from_rgba8, to_rgba8};

@@ -1,7 +1,7 @@
 //! From client memory to rows of groups (OpenGL 1.5, section 3.6.4, figure 3.7): bytes become numbers, numbers become
 //! components, missing components are 0 and a missing alpha is 1, a luminance is all three colours; then pixel transfer
 //! and the final clamp. A caller asks for a row as floats, as packed 8-bit colours, as depths or as stencil indices.
-//! Bytes that go to packed colours untouched take a short way that copies them.
+//! Bytes that go to packed colours unchanged are copied.
 
 use super::element::{Element, to_rgba8};
 use super::format::{Format, Packing, PixelFormat, PixelKind, Type};
@@ -209,7 +209,7 @@ impl<'a> ClientImage<'a> {
         out.iter().fold(u32::MAX, |common, texel| common & texel)
     }
 
-    /// The short way for components of 8 bits: bytes are moved, never computed with. False if the type is another.
+    /// The fast path for components of 8 bits: bytes are moved, never computed with. False if the type is another.
     fn copy_rgba8(&self, at: [usize; 3], out: &mut [u32]) -> bool {
         let groups = self.groups(at);
         let opaque = 0xFF00_0000;
@@ -227,7 +227,7 @@ impl<'a> ClientImage<'a> {
             (Type::UnsignedByte, Format::Green) => each(groups, out, |[g]| u32::from(g) << 8 | opaque),
             (Type::UnsignedByte, Format::Blue) => each(groups, out, |[b]| u32::from(b) << 16 | opaque),
             (Type::Packed(packing), format) if packing.bits == [8; 4] => {
-                // As a number, 8_8_8_8_REV has its first component in the low byte, as our texels have.
+                // As a number, 8_8_8_8_REV has its first component in the low byte, as texels are stored.
                 let reverse = (packing.name == GL_UNSIGNED_INT_8_8_8_8) != self.swap;
                 let number =
                     |bytes| if reverse { u32::from_ne_bytes(bytes).swap_bytes() } else { u32::from_ne_bytes(bytes) };

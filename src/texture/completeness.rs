@@ -1,6 +1,6 @@
 //! Texture completeness (OpenGL 1.5, section 3.8.10): whether the images of an object fit together so that it can be
 //! sampled, and if not, why, and what the program has to change. An incomplete texture switches texturing of its unit off
-//! without an error, which has cost programmers more hours than any other rule; so the reason is said in words.
+//! without a GL error, so the reason is given in words.
 
 use super::image::Image;
 use super::object::TextureObject;

@@ -2,7 +2,7 @@
 //! Texels are stored as a sampler reads them: already converted to the internal format and expanded from its base format.
 //! Every dimension that the target has is padded by one texel on both sides. The ring holds the image's own border
 //! texels when it has a border, else what the wrap modes need there ([`Image::fill_padding`]), so that a linear filter
-//! reads texels i and i + 1 for every i in -1..N without a thought of wrapping.
+//! reads texels i and i + 1 for every i in -1..N and wraps no index.
 
 use super::format::{BaseFormat, BlockFit, InternalFormat, Storage};
 use super::padding::PaddingKey;
@@ -55,7 +55,7 @@ pub struct Image {
     pub depth: u32,
     /// 0 or 1: whether the ring holds border texels of the image.
     pub border: u32,
-    /// The texels, padded. What fills the ring is the business of [`Image::fill_padding`].
+    /// The texels with the ring around them, which [`Image::fill_padding`] fills.
     pub texels: Texels,
     /// The S3TC blocks of a compressed image as they were given; `texels` holds them decoded.
     pub compressed: Option<Vec<u8>>,

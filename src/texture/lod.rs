@@ -96,7 +96,7 @@ fn linear_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
     set_same(b, u, arg);
 }
 
-/// All lanes read one level of a texture that is no cube map.
+/// All lanes read this one level. Not for cube maps.
 #[inline(always)]
 fn only(b: &mut TexBatch, level: u32) {
     b.scratch.two_levels = false;

@@ -18,9 +18,9 @@ pub struct TextureObject {
     pub parameters: TexParameters,
     /// One array of levels, or six for a cube map in the order +x, -x, +y, -y, +z, -z.
     pub faces: Vec<MipChain>,
-    /// For each face the levels that GENERATE_MIPMAP owes it: the base level, and the last one to be made of it. They are
-    /// made when somebody looks at them, or before the images that they depend on change in another way.
-    pub owed: [Option<(usize, usize)>; 6],
+    /// For each face the levels that GENERATE_MIPMAP has still to make: the base level and the last level. They are made
+    /// when they are first read, or before the images that they depend on change in another way.
+    pub pending_mip_levels: [Option<(usize, usize)>; 6],
 }
 
 impl TextureObject {
@@ -32,7 +32,7 @@ impl TextureObject {
             target,
             parameters: TexParameters::for_target(target),
             faces: (0..faces).map(|_| std::array::from_fn(|_| None)).collect(),
-            owed: [None; 6],
+            pending_mip_levels: [None; 6],
         }
     }
 

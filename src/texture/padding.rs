@@ -1,6 +1,6 @@
 //! The ring of texels around an image (OpenGL 1.5, section 3.8.7). After a coordinate is wrapped, a linear filter reads
 //! texels from -1 to N in each dimension. What stands at -1 and at N follows from the wrap mode alone, so it is copied
-//! there once, before a draw, and the filter itself knows nothing of wrapping.
+//! there once, before a draw, and a filter need not wrap the index of its second texel.
 
 use super::image::{Dimensions, Image, Texels};
 use crate::error::Outcome;
@@ -94,8 +94,8 @@ impl Image {
         Ok(())
     }
 
-    /// Puts the image's own border back into the ring. Whoever writes texels calls this first: it also forgets the pads
-    /// and what was known of alpha.
+    /// Puts the image's own border back into the ring. To be called before texels are written: it also forgets
+    /// what the ring was filled for and whether alpha is 255 everywhere.
     pub(super) fn show_border(&mut self) {
         if let Some(bordered) = self.bordered.take() {
             self.texels = *bordered;

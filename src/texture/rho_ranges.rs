@@ -125,7 +125,7 @@ fn pair_ranges(bias: f32, min_lod: f32, max_lod: f32, last: f32) -> Vec<[f32; 2]
     (0..last as i32).map(|level| range(level as f32)).collect()
 }
 
-/// How far from a step of lambda ranges of levels end.
+/// The distance in lambda that ranges keep from its steps.
 const OFF: f64 = 1.0 / 2048.0;
 
 #[cfg(test)]

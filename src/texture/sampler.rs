@@ -18,7 +18,7 @@ use crate::simd::{Level, Plan, Stage, Step};
 use crate::state::texture::{Target, TexParameters};
 use std::sync::Arc;
 
-/// What a sampler wants to be given.
+/// What a sampler has to be given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SamplerNeeds {
     /// How many of s, t, r it reads.
@@ -58,7 +58,7 @@ pub struct Sampler {
     pub plan: Plan<TexFn>,
     /// What they read.
     pub uniforms: UnitUniforms,
-    /// What they want.
+    /// What they have to be given.
     pub needs: SamplerNeeds,
     /// The base format as environments see it: that of the texture, or for a depth texture its DEPTH_TEXTURE_MODE.
     pub base: BaseFormat,
@@ -70,7 +70,7 @@ pub struct Sampler {
     pub taps: Option<(usize, usize)>,
     /// Whether alpha is not filtered although the format has it: it is 255 in every texel.
     pub opaque: bool,
-    /// Whether the filter wraps coordinates itself, as far as those of a primitive ask for it.
+    /// Whether the filter stage wraps the coordinates too.
     pub wraps: bool,
     /// What the stages come to.
     pub kind: SamplerKind,
@@ -147,7 +147,7 @@ impl LodCase {
         LodCase::Varies { mixed: mag != min, linear: min }
     }
 
-    /// Decides from the filters and the limits of lambda: exact conditions only, none that is nearly true.
+    /// Decides from the filters and the limits of lambda. Only exact conditions count.
     fn of(p: &TexParameters, u: &UnitUniforms) -> Self {
         let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
         if is_anisotropic(p, u) {

@@ -4,6 +4,7 @@
 
 use super::batch::TexBatch;
 use super::image::Image;
+use super::mipmap::levels_below;
 use super::object::TextureObject;
 use super::rho_ranges::level_ranges;
 use crate::enums::*;
@@ -134,12 +135,6 @@ pub struct UnitUniforms {
     pub compare_func: CompareFunc,
 }
 
-/// The whole part of the binary logarithm of the largest dimension: how many levels follow a base level of this size.
-#[must_use]
-pub fn levels_below(image: &Image) -> usize {
-    image.width.max(image.height).max(image.depth).max(1).ilog2() as usize
-}
-
 /// Whether a minification filter reads mipmaps.
 #[must_use]
 pub fn is_mipmap_filter(filter: GLenum) -> bool {
@@ -155,7 +150,9 @@ pub fn level_range(object: &TextureObject) -> (usize, usize) {
     let base = if object.target == Target::Rectangle { 0 } else { p.base_level.clamp(0, top) as usize };
     let mipmapped = is_mipmap_filter(p.min_filter) && object.target != Target::Rectangle;
     let Some(image) = object.image(0, base).filter(|_| mipmapped) else { return (base, base) };
-    let last = (base + levels_below(image)).min(p.max_level.clamp(0, top) as usize).max(base);
+    let last = (base + levels_below([image.width, image.height, image.depth]))
+        .min(p.max_level.clamp(0, top) as usize)
+        .max(base);
     let there = |level: usize| (0..object.faces.len()).all(|face| object.image(face, level).is_some());
     let last = (base..=last).take_while(|&level| there(level)).last().unwrap_or(base);
     (base, last)

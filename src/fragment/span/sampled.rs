@@ -68,7 +68,7 @@ impl<'a, const K: usize> Level<'a, K> {
     #[inline(always)]
     pub(crate) fn new(image: &'a WrappedImage<K>, level: u32, unit: &Unit<'_, K>) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
-        let mut wraps = [bounded::LinearWrap::Limited; K];
+        let mut wraps = [bounded::LinearWrap::Clamp; K];
         for k in 0..K {
             let n = level.size[k];
             wraps[k] = bounded::LinearWrap::new(repeats[k], range(unit, &repeats, k)?, n, n)?;

@@ -13,7 +13,7 @@ use crate::texture::filter::{
 use crate::texture::format::BaseFormat;
 use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, sampler_stages};
 use crate::texture::wrap::bounded::{CoordBounds, LinearWrap};
-use crate::texture::wrap::general::far_linear;
+use crate::texture::wrap::general::repeat_or_clamp_linear;
 
 /// In a stage's argument: it wraps its coordinates, each by REPEAT ([`REPEATS`] and the next two bits) or by CLAMP and
 /// CLAMP_TO_EDGE.
@@ -43,7 +43,7 @@ impl<const N: usize> TexelPairs<N> {
     pub const NONE: Self = Self([[0; 2]; N]);
 }
 
-/// Where the texels of every lane are. Aligned like [`TexelPairs`]: wide stores across the ends of cache lines are waited for.
+/// Where the texels of every lane are. Aligned like [`TexelPairs`]: a wide store across the end of a cache line delays the load after it.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub struct TexelIndices<const N: usize>(pub [u32; N]);
@@ -110,7 +110,7 @@ fn shared<'a, const DIMS: usize>(
             return Some(SharedImage { image, at });
         }
         for c in 0..DIMS {
-            far_linear(b, u, arg & SECOND | c as u32, repeats(c));
+            repeat_or_clamp_linear(b, u, arg & SECOND | c as u32, repeats(c));
         }
     }
     let image = image?;

@@ -6,7 +6,7 @@ use crate::simd::{Cost, LANES, Stage};
 use crate::texture::batch::{SamplerScratch, TexBatch};
 use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, by_dims, sampler_stages};
 use crate::texture::wrap::bounded::NearestWrap;
-use crate::texture::wrap::general::far_nearest;
+use crate::texture::wrap::general::repeat_or_clamp_nearest;
 
 /// The nearest texel of every lane.
 #[inline(always)]
@@ -59,8 +59,8 @@ fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, ar
         }
         return texels_at(found, image, &at);
     }
-    far_nearest(b, u, arg & SECOND, across);
-    far_nearest(b, u, arg & SECOND | 1, up);
+    repeat_or_clamp_nearest(b, u, arg & SECOND, across);
+    repeat_or_clamp_nearest(b, u, arg & SECOND | 1, up);
     nearest_texels::<2>(found, &b.scratch, u, pass);
 }
 

@@ -1,24 +1,23 @@
-//! Wrapping of coordinates of which the primitive's planes tell enough (OpenGL 1.5, section 3.8.7): where all lanes read one
-//! image and no coordinate is far from 0, REPEAT of a power of two comes down to the low bits of an index, and within 0..=1
-//! nothing is left of any wrap but the product with N. No lane is looked at for that. The bits are those of `address`.
+//! Short forms of wrapping (OpenGL 1.5, section 3.8.7) for coordinates whose bounds are known and lanes that all read one
+//! image. The bounds come from the planes of the primitive, so no lane is tested. The bits are those of `general`.
 //!
 //! ```text
-//!   within 0..=1    REPEAT     N s differs from N (s - nearest whole number) by 0 or N, and all three are exact: the index
-//!                              is the same modulo N
-//!                   the others limit nothing
+//!   within 0..=1   REPEAT   N s is N (s - nearest whole number) or N more, both exact: the index is the same modulo N
+//!                  CLAMP    limits nothing
+//!   |s| < 512      REPEAT   of a power of two N: the low bits of the index
 //! ```
 
 use crate::num::{clamp_f32, round_to_int};
 use crate::texture::batch::TexBatch;
 
-/// Below this a coordinate takes its whole part off in one step, and times any N it is below 2^22.
+/// Below this one addition of [`MAGIC`] finds the whole part of a coordinate, and the coordinate times any N is below 2^22.
 const NEAR: f32 = 512.0;
 /// Adding it rounds to a whole number, which then stands in the low bits (see `num`).
 const MAGIC: f32 = 12_582_912.0;
-/// No coordinate below [`NEAR`] times N comes here.
+/// No coordinate below [`NEAR`] reaches this when it is multiplied by N: a limit that limits nothing.
 const BEYOND: f32 = 4_194_304.0;
 
-/// Between which numbers a coordinate lies in all lanes.
+/// Bounds of a coordinate that hold in all lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordBounds {
     /// No lane is below this.
@@ -28,7 +27,7 @@ pub struct CoordBounds {
 }
 
 impl CoordBounds {
-    /// That of coordinate `c`.
+    /// Those of coordinate `c` of a batch.
     #[inline(always)]
     pub(crate) fn of(b: &TexBatch, c: usize) -> Self {
         Self { least: b.least[c], limit: b.limit[c] }
@@ -82,13 +81,13 @@ impl NearestWrap {
 /// How a dimension is wrapped for a linear filter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LinearWrap {
-    /// Not at all, but for the low bits of the index: all of them, or those of REPEAT where whole numbers were taken off
-    /// before.
-    Inside(u32),
-    /// REPEAT: whole numbers come off, and the low bits of the index are left.
-    Around(u32),
+    /// The coordinates need no wrapping: they are only multiplied by N. The mask leaves all bits of the index, or those
+    /// that REPEAT needs.
+    InRange(u32),
+    /// REPEAT: the nearest whole number is subtracted, and the mask is applied to the index.
+    Repeat(u32),
     /// CLAMP and CLAMP_TO_EDGE.
-    Limited,
+    Clamp,
 }
 
 impl LinearWrap {
@@ -98,18 +97,18 @@ impl LinearWrap {
     pub fn new(repeats: bool, range: CoordBounds, scale: f32, n: f32) -> Option<Self> {
         let inside = range.inside() && scale == n;
         if !repeats {
-            return Some(if inside { Self::Inside(u32::MAX) } else { Self::Limited });
+            return Some(if inside { Self::InRange(u32::MAX) } else { Self::Clamp });
         }
         let mask = repeat_mask(range.limit, scale, n)?;
         // Ties go to even numbers, so 0.5 is taken for a fraction, too.
         let whole = range.limit > 0.5;
-        Some(if inside || !whole { Self::Inside(mask) } else { Self::Around(mask) })
+        Some(if inside || !whole { Self::InRange(mask) } else { Self::Repeat(mask) })
     }
 
     /// Whether it does more than to multiply.
     #[must_use]
     pub fn wraps(self) -> bool {
-        !matches!(self, Self::Inside(_))
+        !matches!(self, Self::InRange(_))
     }
 
     /// Gives each lane the index of the first of its two texels, and writes the weight of the second.
@@ -123,14 +122,14 @@ impl LinearWrap {
         mut put: impl FnMut(usize, i32),
     ) {
         match self {
-            Self::Inside(mask) => {
+            Self::InRange(mask) => {
                 for i in 0..N {
                     let (bits, w) = pair(s[i] * n);
                     weight[i] = w;
                     put(i, (bits.wrapping_sub(MAGIC.to_bits()) & mask).cast_signed());
                 }
             }
-            Self::Around(mask) => {
+            Self::Repeat(mask) => {
                 for i in 0..N {
                     let (bits, w) = pair((s[i] - ((s[i] + MAGIC) - MAGIC)) * n);
                     weight[i] = w;
@@ -138,7 +137,7 @@ impl LinearWrap {
                     put(i, (bits & mask).cast_signed());
                 }
             }
-            Self::Limited => {
+            Self::Clamp => {
                 for i in 0..N {
                     let (bits, w) = pair(clamp_f32(s[i] * scale, 0.0, n));
                     weight[i] = w;
@@ -216,16 +215,16 @@ mod tests {
         assert_eq!(LinearWrap::new(true, CoordBounds { least: 0.0, limit: 1.0 }, 3.0, 3.0), None, "N s is not exact");
         assert_eq!(
             LinearWrap::new(true, CoordBounds { least: 0.0, limit: 1.0 }, 4.0, 4.0),
-            Some(LinearWrap::Inside(3))
+            Some(LinearWrap::InRange(3))
         );
         assert_eq!(
             LinearWrap::new(true, CoordBounds { least: 0.0, limit: 1.5 }, 4.0, 4.0),
-            Some(LinearWrap::Around(3))
+            Some(LinearWrap::Repeat(3))
         );
-        assert_eq!(LinearWrap::new(false, CoordBounds { least: 0.0, limit: 1.5 }, 4.0, 4.0), Some(LinearWrap::Limited));
+        assert_eq!(LinearWrap::new(false, CoordBounds { least: 0.0, limit: 1.5 }, 4.0, 4.0), Some(LinearWrap::Clamp));
         assert_eq!(
             LinearWrap::new(false, CoordBounds { least: 0.0, limit: 0.5 }, 1.0, 4.0),
-            Some(LinearWrap::Limited),
+            Some(LinearWrap::Clamp),
             "rectangles"
         );
     }

@@ -30,7 +30,7 @@ pub const COORDINATE: u32 = 3;
 pub const SECOND: u32 = 4;
 /// In the argument of a NEAREST stage: only for lanes marked in `nearest`; the others keep what LINEAR found.
 pub const MERGE: u32 = 8;
-/// In the argument of a LINEAR stage: nothing is made of what is known of the coordinates.
+/// In the argument of a LINEAR stage: the forms of [`bounded`](super::bounded) are not used.
 pub const PLAIN: u32 = 16;
 
 /// From here on every float is a whole number.
@@ -120,13 +120,13 @@ fn nearest<const END: u8>(x: f32, n: f32) -> i32 {
 const TO_EDGE: u8 = 0;
 /// The index may be that of a border texel.
 const TO_BORDER: u8 = 1;
-/// A negative index comes in again at the other end.
+/// N is added to a negative index.
 const AROUND: u8 = 2;
 
-/// A wrap for NEAREST, of any coordinates: REPEAT or, if not `repeats`, CLAMP and CLAMP_TO_EDGE. The argument is that of
-/// the stages.
+/// NEAREST of any coordinates by REPEAT or, if not `repeats`, by CLAMP or CLAMP_TO_EDGE. The argument is that of the
+/// stages.
 #[inline(always)]
-pub(crate) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+pub(crate) fn repeat_or_clamp_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     if repeats {
         wrap_nearest::<AROUND>(b, u, arg, repeat);
     } else {
@@ -134,9 +134,9 @@ pub(crate) fn far_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats:
     }
 }
 
-/// A wrap for LINEAR, as [`far_nearest`].
+/// LINEAR, as [`repeat_or_clamp_nearest`].
 #[inline(always)]
-pub(crate) fn far_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+pub(crate) fn repeat_or_clamp_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     if repeats {
         wrap_linear::<AROUND>(b, u, arg, repeat);
     } else {
@@ -146,7 +146,7 @@ pub(crate) fn far_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: 
 
 /// REPEAT, or CLAMP and CLAMP_TO_EDGE, by the [`LinearWrap`] that the coordinates allow.
 #[inline(always)]
-fn linear_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+fn bounded_or_general_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
     let c = (arg & COORDINATE).min(2) as usize;
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.scratch.two_levels {
@@ -161,7 +161,7 @@ fn linear_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
             let first = &mut first[c];
             form.run(&b.coord[c], scale, n, &mut weight[c], |i, index| first[i] = index);
         }
-        _ => far_linear(b, u, arg, repeats),
+        _ => repeat_or_clamp_linear(b, u, arg, repeats),
     }
 }
 
@@ -224,10 +224,10 @@ fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: 
 }
 
 sampler_stages! {
-    WRAP_REPEAT_LINEAR [Cost::wraps(1)] = linear_lanes, true;
+    WRAP_REPEAT_LINEAR [Cost::wraps(1)] = bounded_or_general_linear, true;
     WRAP_REPEAT_NEAREST [Cost::wraps(1)] = wrap_nearest::<AROUND>, repeat;
     /// CLAMP and CLAMP_TO_EDGE: the padding of the image tells them apart.
-    WRAP_CLAMP_LINEAR [Cost::wraps(1)] = linear_lanes, false;
+    WRAP_CLAMP_LINEAR [Cost::wraps(1)] = bounded_or_general_linear, false;
     WRAP_CLAMP_NEAREST [Cost::wraps(1)] = wrap_nearest::<TO_EDGE>, clamp;
     WRAP_BORDER_LINEAR [Cost::wraps(1)] = wrap_linear::<TO_BORDER>, border;
     WRAP_BORDER_NEAREST [Cost::wraps(1)] = wrap_nearest::<TO_BORDER>, border;
