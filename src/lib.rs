@@ -37,6 +37,8 @@
 //! The pages of [`spec_notes`] tell how each chapter of the specification is done; begin with
 //! [how a vertex becomes a pixel](spec_notes::how_a_vertex_becomes_a_pixel).
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 pub mod c;
 #[cfg(feature = "capi")]
 pub mod capi;
