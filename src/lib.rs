@@ -67,17 +67,18 @@ mod vertex;
 pub use context::{Call, Config, Context, DebugCallback, DebugMessage, Error, NULL, TraceCallback};
 pub use error::FileError;
 pub use framebuffer::FramebufferFormat;
-pub use simd::Level as SimdLevel;
+pub use simd::SimdLevel;
 
 pub mod args {
     //! What the commands of [`Context`](crate::Context) take besides plain numbers: conversions that C does by itself
     //! ([`IntoInt`], [`IntoFloat`], ...), memory that is read or written ([`InSlice`], [`OutSlice`], [`Pixels`]), and
     //! vertex arrays and indices, which are memory or an offset into the bound buffer object ([`ArrayData`],
-    //! [`Indices`]). Programs seldom name them: arrays, slices, vectors, offsets and [`NULL`] convert by themselves.
+    //! [`Indices`]). Programs seldom name them: arrays, slices, vectors, offsets and [`NULL`](crate::NULL) convert by
+    //! themselves.
 
     pub use crate::context::{
-        ArrayData, ClientAddress, Element, InSlice, IndexLists, Indices, IntoBool, IntoFloat, IntoInt, IntoSize, NULL,
-        Null, OutSlice, Pixels, PixelsMut,
+        ArrayData, ClientAddress, Element, InSlice, IndexLists, Indices, IntoBool, IntoFloat, IntoInt, IntoSize, Null,
+        OutSlice, Pixels, PixelsMut,
     };
 }
 

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 /// An instruction set that every stage is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
-pub enum Level {
+pub enum SimdLevel {
     /// What every processor of the target has (SSE2 on x86-64).
     Baseline = 0,
     /// AVX2 with the bit manipulation sets that came with it.
@@ -15,7 +15,7 @@ pub enum Level {
     Avx512 = 2,
 }
 
-impl Level {
+impl SimdLevel {
     /// All levels, lowest first.
     pub(crate) const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
 
@@ -23,7 +23,7 @@ impl Level {
     #[must_use]
     pub fn detect() -> Self {
         // Each row of an upload asks.
-        static TOP: OnceLock<Level> = OnceLock::new();
+        static TOP: OnceLock<SimdLevel> = OnceLock::new();
         *TOP.get_or_init(Self::look)
     }
 

@@ -10,7 +10,9 @@ mod stage;
 
 pub use bits::{BITS, count};
 pub use counters::{Counters, StageCount, Tally};
-pub use level::Level;
+pub use level::SimdLevel;
+/// Its short name within the crate.
+pub(crate) use level::SimdLevel as Level;
 pub(crate) use stage::stage;
 pub use stage::{Cost, Plan, Stage, StageId, StageInfo, Step};
 
