@@ -19,7 +19,7 @@
 //! assert_eq!(&pixels[4 * (32 * 64 + 32)..][..4], &[255, 255, 0, 255]);
 //! ```
 //!
-//! # Three doors, one engine
+//! # Three interfaces, one engine
 //! A [`Context`] is one owned value that can be sent to another thread. Its methods are the commands with GL's names in
 //! snake case ([`Context::tex_image_2d`]). [`c`] has the same commands under their C names on a current context of the
 //! thread, for programs that are ported line by line. With the cargo feature `capi` the crate builds a shared library with

@@ -17,6 +17,7 @@ pub const NULL: Null = Null;
 
 /// Pixels (or other bytes) that a command reads.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Pixels<'a> {
     /// No memory: an image of undefined content is allocated.
     Null,
@@ -29,8 +30,7 @@ pub enum Pixels<'a> {
 
 impl Pixels<'_> {
     /// The bytes, unless there is no memory.
-    #[must_use]
-    pub fn bytes(&self) -> Option<&[u8]> {
+    pub(crate) fn bytes(&self) -> Option<&[u8]> {
         match self {
             Pixels::Null => None,
             Pixels::Bytes(bytes) => Some(bytes),
@@ -39,14 +39,14 @@ impl Pixels<'_> {
     }
 
     /// Whether a display list has kept them: then the unpack state at the time of the call does not apply.
-    #[must_use]
-    pub fn is_tight(&self) -> bool {
+    pub(crate) fn is_tight(&self) -> bool {
         matches!(self, Pixels::Kept(_))
     }
 }
 
 /// Memory that a command writes pixels to.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum PixelsMut<'a> {
     /// No memory.
     Null,
@@ -66,6 +66,7 @@ impl<'a> PixelsMut<'a> {
 
 /// A vertex array: where `VertexPointer` and its sisters point to.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum ArrayData {
     /// An offset into the buffer object that is bound to `ARRAY_BUFFER`, or no memory at all.
     Offset(usize),
@@ -93,8 +94,7 @@ impl ClientAddress {
     }
 
     /// The number.
-    #[must_use]
-    pub fn get(self) -> usize {
+    pub(crate) fn get(self) -> usize {
         self.0
     }
 }
@@ -102,8 +102,7 @@ impl ClientAddress {
 impl ArrayData {
     /// Bytes of an array that is not in a buffer object: those that a draw reads at a distance from the start. `None`
     /// where there is no memory or not enough.
-    #[must_use]
-    pub fn bytes(&self, offset: usize, len: usize) -> Option<&[u8]> {
+    pub(crate) fn bytes(&self, offset: usize, len: usize) -> Option<&[u8]> {
         match self {
             ArrayData::Offset(_) => None,
             ArrayData::Values(values) => values.get(offset..)?.get(..len),
@@ -119,8 +118,7 @@ impl ArrayData {
     }
 
     /// What `GetPointerv` reports: the address or the offset.
-    #[must_use]
-    pub fn address(&self) -> usize {
+    pub(crate) fn address(&self) -> usize {
         match self {
             ArrayData::Offset(offset) => *offset,
             ArrayData::Values(values) => values.as_ptr() as usize,
@@ -131,6 +129,7 @@ impl ArrayData {
 
 /// The index list of `DrawElements` and its sisters.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Indices<'a> {
     /// An offset into the buffer object that is bound to `ELEMENT_ARRAY_BUFFER`, or no memory at all.
     Offset(usize),
