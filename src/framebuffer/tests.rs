@@ -163,7 +163,7 @@ fn alpha_that_is_not_there_stays_one() {
 }
 
 #[test]
-fn rows_reach_over_the_edges() {
+fn rows_may_reach_over_the_edges() {
     let mut f = Framebuffer::new(3, 2, format()).unwrap();
     let red = [1.0, 0.0, 0.0, 1.0];
     f.write_float(-1, 1, &[red, [0.0, 1.0, 0.0, 0.0], red, red, red], [true, false, true, true]);
@@ -230,7 +230,7 @@ fn resizing_starts_anew() {
 }
 
 #[test]
-fn a_clear_that_waits_is_a_clear_and_leaves_gaps_alone() {
+fn a_deferred_clear_is_a_clear_and_leaves_gaps_alone() {
     let clear = Clear {
         color: Some(([0.2, 0.4, 0.6, 0.8], [true; 4])),
         depth: Some(0.25),
@@ -279,7 +279,7 @@ fn a_clear_that_waits_is_a_clear_and_leaves_gaps_alone() {
 }
 
 #[test]
-fn coarse_depths_are_never_too_small() {
+fn depth_bounds_of_blocks_are_never_too_small() {
     let mut f = Framebuffer::new(150, 3, format()).unwrap();
     let depth = |value| Clear { depth: Some(value), ..Clear::default() };
     f.clear(&depth(0.5), None).unwrap();

@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn there_and_back() {
+    fn un_project_undoes_project() {
         let model = look_at_matrix([3.0, -2.0, 7.0], [0.5, 0.0, 0.0], [0.1, 1.0, 0.2]);
         let projection = perspective_matrix(47.0, 1.6, 0.5, 60.0).expect("a matrix");
         for i in 0..200 {

@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn the_values_of_the_original() {
+    fn scaling_gives_the_values_of_the_original_glu() {
         let row = [0, 100, 200, 255];
         assert_eq!(luminance(&row, [4, 1], [2, 1]), [50, 228]);
         assert_eq!(luminance(&row, [4, 1], [3, 1]), [25, 150, 242]);

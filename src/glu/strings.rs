@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_for_codes() {
+    fn every_code_has_its_words() {
         assert_eq!(error_string(GL_NO_ERROR), Some("no error"));
         assert_eq!(error_string(GL_STACK_UNDERFLOW), Some("stack underflow"));
         assert_eq!(error_string(GLU_INVALID_VALUE), Some("invalid value"));

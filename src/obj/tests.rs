@@ -130,7 +130,7 @@ fn broken_files_say_in_which_line() {
 }
 
 #[test]
-fn materials_and_their_files() {
+fn materials_come_from_their_files() {
     let folder = std::env::temp_dir().join(format!("fixedgl-obj-{}", std::process::id()));
     std::fs::create_dir_all(folder.join("sub")).expect("a folder");
     let mtl = "newmtl red\nKd 1 0 0\nNs 500\nd 0.5\nnewmtl brick\nmap_Kd -s 2 2 1 -clamp on tex\\brick wall.png\n";

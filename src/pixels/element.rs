@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn swapped_bytes() {
+    fn bytes_are_swapped_on_request() {
         assert_eq!(u16::read(&0x1234u16.to_ne_bytes(), true), 0x3412);
         let mut out = [0; 4];
         1.0f32.write(&mut out, true);

@@ -368,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn packed_shifts() {
+    fn shifts_of_packed_types_follow_their_bits() {
         let find = |n| PACKINGS.iter().find(|p| p.name == n).unwrap();
         assert_eq!(find(GL_UNSIGNED_BYTE_3_3_2).shifts[..3], [5, 2, 0]);
         assert_eq!(find(GL_UNSIGNED_BYTE_2_3_3_REV).shifts[..3], [0, 3, 6]);

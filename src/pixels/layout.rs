@@ -158,7 +158,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn skips_and_lengths() {
+    fn skips_and_row_lengths_move_the_groups() {
         let store = PixelStore {
             row_length: 10,
             image_height: 7,
@@ -186,7 +186,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn empty_and_absurd_images() {
+    fn empty_images_take_no_memory_and_absurd_ones_are_errors() {
         let store = PixelStore { skip_rows: 1000, ..PixelStore::INITIAL };
         assert_eq!(rgb(&store, [0, 5, 5]), 0);
         assert_eq!(rgb(&store, [5, 5, 0]), 0);

@@ -90,7 +90,7 @@ fn every_color_pair_comes_back() {
 }
 
 #[test]
-fn the_short_way_is_the_long_way() {
+fn fast_paths_give_what_the_general_path_gives() {
     for (format, type_) in all_pairs() {
         let Ok(pair) = PixelFormat::new(format, type_) else { continue };
         if pair.kind() != PixelKind::Color {
@@ -126,7 +126,7 @@ fn the_short_way_is_the_long_way() {
 }
 
 #[test]
-fn bytes_of_known_colors() {
+fn known_colors_pack_to_known_bytes() {
     let store = PixelStore::TIGHT;
     let color = vec![vec![[1.0, 0.4, 0.2, 0.0]]];
     let packed = |format, type_| pack_colors(&store, pixel(format, type_), &color);
@@ -223,7 +223,7 @@ fn indices_depths_and_bitmaps_come_back() {
 }
 
 #[test]
-fn depth_and_stencil_in_one_element() {
+fn depth_and_stencil_share_an_element() {
     let pair = pixel(GL_DEPTH_STENCIL_EXT, GL_UNSIGNED_INT_24_8_EXT);
     let mut bytes = [0; 8];
     let mut to = ClientTarget::new_2d(&mut bytes, &PixelStore::TIGHT, [2, 1], pair).unwrap();

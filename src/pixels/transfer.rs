@@ -126,7 +126,7 @@ mod tests {
     use crate::enums::*;
 
     #[test]
-    fn scale_then_bias_then_map() {
+    fn colors_are_scaled_then_biased_then_mapped() {
         let mut mode =
             PixelTransfer { scale: [2.0, 1.0, 1.0, 1.0], bias: [-0.25, 0.0, 0.5, 0.0], ..Default::default() };
         let mut maps = PixelMaps::default();

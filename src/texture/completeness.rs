@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn reasons() {
+    fn every_incomplete_texture_says_why() {
         let full = [(0, 4), (1, 2), (2, 1)];
         type Case<'a> = (&'a [(usize, u32)], GLenum, &'a str);
         let rows: [Case<'_>; 6] = [

@@ -67,28 +67,25 @@ impl Image {
         if self.is_padded_for(key) || self.is_null() {
             return Ok(());
         }
-        if self.border == 0 {
-            let color = self.border_texel(key.border_color());
-            let (layout, pads) = (RingLayout::of(self), key.pads);
-            match &mut self.texels {
-                Texels::Rgba8(t) => layout.fill(t, pads, Some(to_rgba8(color))),
-                Texels::Float(t) => layout.fill(t, pads, Some(color)),
-                Texels::Depth(t) => layout.fill(t, pads, Some(color[0])),
-            }
+        let border = if self.border == 0 {
+            Some(self.border_texel(key.border_color()))
         } else {
             let opaque = self.opaque;
             self.show_border();
             self.opaque = opaque;
             let used = &key.pads[..self.dimensions as usize + 1];
-            if used.iter().any(|&pad| pad != Padding::Border) {
-                self.bordered = Some(Box::new(self.texels.try_clone()?));
-                let (layout, pads) = (RingLayout::of(self), key.pads);
-                match &mut self.texels {
-                    Texels::Rgba8(t) => layout.fill(t, pads, None),
-                    Texels::Float(t) => layout.fill(t, pads, None),
-                    Texels::Depth(t) => layout.fill(t, pads, None),
-                }
+            if used.iter().all(|&pad| pad == Padding::Border) {
+                self.padded_for = Some(*key);
+                return Ok(());
             }
+            self.bordered = Some(Box::new(self.texels.try_clone()?));
+            None
+        };
+        let layout = RingLayout::of(self);
+        match &mut self.texels {
+            Texels::Rgba8(t) => layout.fill(t, key.pads, border.map(to_rgba8)),
+            Texels::Float(t) => layout.fill(t, key.pads, border),
+            Texels::Depth(t) => layout.fill(t, key.pads, border.map(|color| color[0])),
         }
         self.padded_for = Some(*key);
         Ok(())

@@ -55,7 +55,7 @@ fn assert_vertices(primitive: &Primitive, mode: GLenum, want: &[([f64; 2], [f64;
 
 /// The values of the original GLU for gluSphere(2, 4, 3) and gluCylinder(2, 1, 3, 4, 2).
 #[test]
-fn around_the_axis() {
+fn surfaces_lie_around_the_axis() {
     let sphere = record(|r| sphere(LOOK, 2.0, 4, 3, r));
     assert_eq!(sphere.primitives.len(), 3);
     let (third, r) = (1.0 / 3.0, 3f64.sqrt());

@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn every_combine_function_with_every_scale() {
+    fn every_combine_function_follows_its_formula_at_every_scale() {
         let t = texel(Rgba);
         let dot = 4.0 * (0..3).map(|c| (t[c] - 0.5) * (P[c] - 0.5)).sum::<f32>();
         type F = fn(f32, f32, f32) -> f32;
@@ -394,7 +394,7 @@ mod tests {
     }
 
     #[test]
-    fn operands_and_crossbar() {
+    fn operands_and_the_crossbar_follow_the_tables() {
         let t = texel(Rgba);
         let mut env = combine_env(GL_REPLACE, GL_REPLACE);
         for (operand, want) in [

@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn blocks_of_known_bits() {
+    fn known_blocks_decode_to_known_texels() {
         // Red and blue, codes 0 1 2 3 in the first row, 0 elsewhere.
         let opaque = [0x00, 0xF8, 0x1F, 0x00, 0b11_10_01_00, 0, 0, 0];
         let texels = S3tc::RgbDxt1.decode(&opaque);
@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn images_with_odd_edges_and_regions() {
+    fn images_with_odd_edges_and_regions_are_decoded() {
         let format = find(GL_COMPRESSED_RGBA_S3TC_DXT5_EXT);
         let blocks: Vec<u8> = (0..2 * 2 * 16).map(|i| (i * 37 + 11) as u8).collect();
         let mut image = Image::from_blocks(format, [5, 7], &blocks).unwrap();

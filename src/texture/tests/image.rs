@@ -281,7 +281,7 @@ fn the_ring_is_what_the_wraps_ask_for() {
 }
 
 #[test]
-fn writing_forgets_the_pads_and_keeps_the_border() {
+fn writing_forgets_the_padding_and_keeps_the_border() {
     let (mut image, _) = noisy(GL_RGBA8, Dimensions::Two, [6, 6, 1], 1);
     let border = image.texel(-1, 2, 0);
     image.fill_padding(&padding_key([GL_REPEAT; 3], [0.0; 4])).unwrap();
@@ -381,7 +381,7 @@ fn every_level_has_the_mean_of_the_image() {
 }
 
 #[test]
-fn levels_of_constants_ramps_and_known_texels() {
+fn levels_of_constants_ramps_and_known_texels_are_their_means() {
     let bytes = [10, 20, 30, 40].repeat(7 * 5);
     let image = Image::from_client(
         find(4),

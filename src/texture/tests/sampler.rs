@@ -110,7 +110,7 @@ fn row(n: u32, wrap: GLenum, filter: GLenum) -> crate::texture::object::TextureO
 }
 
 #[test]
-fn nearest_texels_of_every_wrap() {
+fn nearest_reads_the_texel_that_each_wrap_says() {
     // Texel of eight for each coordinate; 20 stands for the border.
     let table: [(f32, [i32; 8]); 15] = [
         //        REPEAT CLAMP EDGE BORDER MIRRORED MIRROR_CLAMP .._EDGE .._BORDER
@@ -138,7 +138,7 @@ fn nearest_texels_of_every_wrap() {
 }
 
 #[test]
-fn linear_blends_of_every_wrap() {
+fn linear_blends_the_texels_that_each_wrap_says() {
     // At the centre of texel i, and at the ends; what is beyond an end by wrap.
     for wrap in WRAPS {
         let o = row(8, wrap, GL_LINEAR);
@@ -193,7 +193,7 @@ fn huge_coordinates_repeat_as_the_exact_rational_does() {
 }
 
 #[test]
-fn bilinear_and_3d_weights() {
+fn bilinear_and_3d_filters_weigh_by_distance() {
     let plane = |_: usize, _: usize, [i, j, k]: [i32; 3]| grey(10 * i + 40 * j + 100 * k);
     for format in [GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8, GL_INTENSITY8] {
         let mut o = object(Target::D2, format, [4, 4, 1], 1, plane);
@@ -248,7 +248,7 @@ fn level_at(o: &crate::texture::object::TextureObject, lambda: f64) -> f32 {
 }
 
 #[test]
-fn mipmap_nearest_levels_and_their_ties() {
+fn mipmap_nearest_takes_the_nearest_level_and_the_finer_of_two() {
     for (min, mag) in [(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST), (GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR)] {
         let o = levels(min, mag);
         for (lambda, level) in
@@ -277,7 +277,7 @@ fn mipmap_linear_blends_by_the_fraction() {
 }
 
 #[test]
-fn base_and_max_level_and_the_limits_of_lambda() {
+fn base_and_max_level_and_the_limits_of_lambda_hold() {
     let mut o = levels(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     o.parameters.base_level = 1;
     // Lambda counts from the base level, whose size is 16.
@@ -299,7 +299,7 @@ fn base_and_max_level_and_the_limits_of_lambda() {
 }
 
 #[test]
-fn magnification_by_the_threshold_of_the_filters() {
+fn magnification_begins_at_the_threshold_of_the_filters() {
     // Columns of 0 and 100: at s = 0.5 LINEAR gives 50 and NEAREST 100.
     let make = |min, mag| {
         let mut o = object(Target::D2, GL_LUMINANCE8, [4, 4, 1], 3, |_, _, [i, ..]| grey(100 * (i % 2)));

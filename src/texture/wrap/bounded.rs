@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn near_coordinates_take_one_step_to_the_same_texel() {
+    fn bounded_forms_find_the_same_texels_as_the_general_ones() {
         let near = (-200_000..200_000).map(|i| i as f32 / 512.0).flat_map(|s| [s.next_down(), s, s.next_up()]);
         let small = (0..NEAR.to_bits()).step_by(40_009).map(f32::from_bits).flat_map(|s| [s, -s]);
         for s in near.chain(small) {
