@@ -37,9 +37,10 @@ type Call = (&'static str, fn(Sample));
 
 macro_rules! calls {
     (
+        title $title:literal;
         canonical { $($canonical:tt)* }
         commands { $($commands:tt)* }
-        forms { $( family $sentence:literal { $( $class:ident $name:ident $(| $alias:ident)*
+        forms { $( family $sentence:literal { $( $(#[$doc:meta])* $class:ident $name:ident $(| $alias:ident)*
             $snake:ident ( $($a:ident : $k:tt),* ) => $op:ident $call:tt ; )* } )* }
         $($rest:tt)*
     ) => {

@@ -2,7 +2,8 @@
 //! the few whose C form keeps a pointer (OpenGL 1.5, sections 2.5, 2.8, 2.9, 5.2 to 5.4). The rows of the table that
 //! stand in the section `context` call the functions here; those in `manual` are the methods at the end.
 
-use super::hooks::{ArrayElement, Questions as _};
+use super::draw_arrays::ArrayElement;
+use super::errors::missing;
 use super::recorder::Command;
 use super::table::vertex::Op;
 use super::{Context, IndexLists, Indices, Pixels, Values};
@@ -302,7 +303,7 @@ impl Context {
         if self.flags.tracing() {
             self.trace(name, &[("mode", &super::trace::Enumerant(mode))]);
         }
-        outside(self, name, |cx| outcome(cx.engine.render_mode(mode)))
+        outside(self, name, |_| Err(missing("render_mode")))
     }
 
     /// Sets how many values feedback mode may write and which (section 5.3). The memory is the context's.
@@ -314,7 +315,7 @@ impl Context {
         if self.flags.tracing() {
             self.trace(name, &[("size", &size), ("type", &super::trace::Enumerant(type_))]);
         }
-        outside(self, name, |cx| outcome(cx.engine.feedback_buffer(size, type_)))
+        outside(self, name, |_| Err(missing("feedback_buffer")))
     }
 
     /// Sets how many values selection mode may write (section 5.2). The memory is the context's.
@@ -326,17 +327,17 @@ impl Context {
         if self.flags.tracing() {
             self.trace(name, &[("size", &size)]);
         }
-        outside(self, name, |cx| outcome(cx.engine.select_buffer(size)))
+        outside(self, name, |_| Err(missing("select_buffer")))
     }
 
     /// What the last feedback mode has written.
     pub fn feedback_values(&mut self) -> &[f32] {
-        self.engine.feedback_values()
+        &[]
     }
 
     /// What the last selection mode has written.
     pub fn select_values(&mut self) -> &[u32] {
-        self.engine.select_values()
+        &[]
     }
 
     /// Maps the buffer object that is bound to a target: its bytes, to be read and written until `unmap_buffer` (section

@@ -7,13 +7,33 @@ use super::buffers::Buffers;
 use super::draw_source::Drawing;
 use super::engine::Engine;
 use super::fetch::Sources;
-use super::hooks::ArrayElement;
 use super::pixels_arg::{ArrayData, Indices, index_size};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::vertex::cache::IndexList;
 use crate::vertex::source::ElementOrder;
+
+/// The values of one element of the enabled vertex arrays, as the attribute commands would give them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ArrayElement {
+    /// Edge flag, if its array is enabled.
+    pub(crate) edge_flag: Option<bool>,
+    /// Fog coordinate.
+    pub(crate) fog_coord: Option<f32>,
+    /// Colour index.
+    pub(crate) index: Option<f32>,
+    /// Texture coordinates of each unit whose array is enabled: unit number and coordinates.
+    pub(crate) tex_coords: Vec<(u32, [f32; 4])>,
+    /// Normal.
+    pub(crate) normal: Option<[f32; 3]>,
+    /// Secondary colour.
+    pub(crate) secondary_color: Option<[f32; 4]>,
+    /// Colour.
+    pub(crate) color: Option<[f32; 4]>,
+    /// Position: without it no vertex is issued.
+    pub(crate) vertex: Option<[f32; 4]>,
+}
 
 /// Elements beyond the end of the array of positions that DrawArrays still draws, as zeros.
 const ZEROS: usize = 1 << 16;

@@ -24,7 +24,6 @@ pub(crate) mod fragment_state;
 pub(crate) mod get;
 pub(crate) mod get_limits;
 pub(crate) mod get_params;
-pub(crate) mod hooks;
 pub(crate) mod immediate_fast;
 pub(crate) mod lighting_state;
 pub(crate) mod list_vertices;

@@ -6,6 +6,7 @@ use super::{Params, Pixels, Values};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_value};
 use crate::pixels::{ClientImage, ClientTarget, PixelFormat, Transfer};
+use crate::state::pixel::PixelStore;
 use crate::state::raster::HintMode;
 use crate::texture::format::BlockFit;
 
@@ -82,5 +83,20 @@ impl Engine {
             HintMode::Nicest => BlockFit::LeastSquares,
             HintMode::DontCare | HintMode::Fastest => BlockFit::Extremes,
         }
+    }
+
+    /// How client memory is laid out for commands that read images.
+    pub(crate) fn unpack_store(&self) -> PixelStore {
+        self.client.pixel_store.unpack
+    }
+
+    /// How client memory is laid out for commands that write images.
+    pub(crate) fn pack_store(&self) -> PixelStore {
+        self.client.pixel_store.pack
+    }
+
+    /// Sets the layout that `unpack_store` tells.
+    pub(crate) fn set_unpack_store(&mut self, store: PixelStore) {
+        self.client.pixel_store.unpack = store;
     }
 }

@@ -2,6 +2,7 @@
 //! 3.6.1 and 6.1.14). Client state is never compiled into a list; a draw is compiled as the vertices it stands for.
 
 macro_rules! arrays_table { ($generate:ident) => { $generate! {
+    title "Vertex arrays, buffer objects and client state (sections 2.8, 2.9)";
     canonical {}
     commands {}
     forms {}
@@ -10,8 +11,10 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         begin glArrayElement | glArrayElementEXT array_element(i: i32);
         /// Draws a primitive of consecutive elements of the enabled arrays (section 2.8). `INVALID_VALUE` for a negative
         /// count.
+        #[doc = include_str!("examples/draw_arrays.md")]
         list glDrawArrays | glDrawArraysEXT draw_arrays(mode: enum, first: i32, count: i32);
         /// Draws a primitive of elements of the enabled arrays by their indices (section 2.8).
+        #[doc = include_str!("examples/draw_elements.md")]
         list glDrawElements draw_elements(mode: enum, count: i32, type_: enum, indices: (indices count, type_));
         /// Draws elements whose indices lie in a range (section 2.8). `INVALID_VALUE` if `end` lies before `start`.
         list glDrawRangeElements | glDrawRangeElementsEXT draw_range_elements(mode: enum, start: uint, end: uint,

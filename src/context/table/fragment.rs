@@ -2,9 +2,11 @@
 //! attribute stack and occlusion queries (sections 4.1.7, 6.1.14).
 
 macro_rules! fragment_table { ($generate:ident) => { $generate! {
+    title "Tests, blending, the framebuffer, enables, attribute stacks and occlusion queries (chapter 4, section 6.1.14)";
     canonical {}
     commands {
         /// Turns a capability on. `INVALID_ENUM` if there is none of this name.
+        #[doc = include_str!("examples/enable.md")]
         list glEnable enable(cap: enum);
         /// Turns a capability off. `INVALID_ENUM` if there is none of this name.
         list glDisable disable(cap: enum);
@@ -17,8 +19,10 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
         /// Sets what the stencil buffer becomes (section 4.1.5). `INVALID_ENUM` for other operations.
         list glStencilOp stencil_op(fail: enum, zfail: enum, zpass: enum);
         /// Sets the depth comparison (section 4.1.6). `INVALID_ENUM` if `func` is no comparison.
+        #[doc = include_str!("examples/depth_func.md")]
         list glDepthFunc depth_func(func: enum);
         /// Sets the factors of blending (section 4.1.8). `INVALID_ENUM` for other factors.
+        #[doc = include_str!("examples/blend_func.md")]
         list glBlendFunc blend_func(sfactor: enum, dfactor: enum);
         /// Sets the factors of blending for colour and alpha (section 4.1.8). `INVALID_ENUM` for other factors.
         list glBlendFuncSeparate | glBlendFuncSeparateEXT | glBlendFuncSeparateINGR blend_func_separate(
@@ -40,6 +44,7 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
         /// Sets which stencil bits are written (section 4.2.2).
         list glStencilMask stencil_mask(mask: uint);
         /// Clears buffers to their clear values (section 4.2.3). `INVALID_VALUE` for other bits.
+        #[doc = include_str!("examples/clear.md")]
         list glClear clear(mask: bits);
         /// Sets the clear colour (section 4.2.3); it is clamped to [0, 1].
         list glClearColor clear_color(red: f32, green: f32, blue: f32, alpha: f32);

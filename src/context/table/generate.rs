@@ -1,6 +1,6 @@
 //! What a chapter of the table becomes on the Rust side (OpenGL 1.5, chapter 2.5 and 5.4): an `Op` for what a display
-//! list can hold, the way of every op to the engine, the public methods of `Context`, the fallbacks for what the engine
-//! does not do yet, and the rows as data. A chapter calls [`chapter!`] with its rows, and that is all it does.
+//! list can hold, the way of every op to the engine, the public methods of `Context`, the answers of the rows that
+//! are marked as missing, and the rows as data. A chapter calls [`chapter!`] with its rows, and that is all it does.
 
 /// Whether a command of a class may stand between Begin and End: only then it needs no check.
 macro_rules! allowed_inside {
@@ -80,24 +80,21 @@ macro_rules! ops {
     };
 }
 
-/// The answer of an engine that has no method of a name. An inherent method of `Engine` takes its place.
-macro_rules! fallbacks {
-    ($( $snake:ident ( $($a:ident : $k:tt),* ) $(-> $r:ty)? ; )*) => {
+/// The engine's method of a row that is marked as missing. All other rows call a method that must be there.
+macro_rules! missing {
+    ([] $($row:tt)*) => {};
+    ([missing] $snake:ident ( $($a:ident : $k:tt),* ) $(-> $r:ty)?) => {
         #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
-        #[allow(dead_code, reason = "a fallback is dead as soon as the engine has the method")]
-        pub(crate) trait Fallback {
-            $(
-                #[cold]
-                fn $snake(
-                    &mut self,
-                    $($a: $crate::context::table::arg_kinds::engine_ty!($k)),*
-                ) -> $crate::error::Outcome<$crate::context::table::generate::or_unit!($($r)?)> {
-                    $( let _ = $a; )*
-                    Err($crate::context::errors::missing(stringify!($snake)))
-                }
-            )*
+        impl $crate::context::engine::Engine {
+            #[cold]
+            pub(crate) fn $snake(
+                &mut self,
+                $($a: $crate::context::table::arg_kinds::engine_ty!($k)),*
+            ) -> $crate::error::Outcome<$crate::context::table::generate::or_unit!($($r)?)> {
+                $( let _ = $a; )*
+                Err($crate::context::errors::missing(stringify!($snake)))
+            }
         }
-        impl Fallback for $crate::context::engine::Engine {}
     };
 }
 
@@ -107,7 +104,7 @@ macro_rules! ask {
     ($cx:ident, $query:ident($($e:expr),*)) => { $cx.engine.$query($($e),*) };
 }
 
-/// The type of a fallback.
+/// What a missing method would return.
 macro_rules! or_unit {
     () => {
         ()
@@ -132,33 +129,43 @@ macro_rules! enter {
 /// A chapter of the table: see `table/mod.rs` for the shape of the rows.
 macro_rules! chapter {
     (
-        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) ; )* }
+        title $title:literal;
+        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) $($missing:ident)? ; )* }
         commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)*
-            $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
-        forms { $( family $sentence:literal { $( $f_class:ident $f_name:ident $(| $f_alias:ident)*
+            $c_snake:ident ( $($ca:ident : $ck:tt),* ) $($c_missing:ident)? ; )* }
+        forms { $( family $sentence:literal { $( $(#[$f_doc:meta])* $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident ( $($fe:expr),* ) ; )* } )* }
         context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
-            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
-        queries { $( family $q_sentence:literal { $( $q_name:ident $(| $q_alias:ident)*
+            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? $($n_missing:ident)? ; )* }
+        queries { $( family $q_sentence:literal { $( $(#[$q_doc:meta])* $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident ( $($qe:expr),* ) ; )* } )* }
-        answers { $( $answer:ident ( $($aa:ident : $ak:tt),* ) ; )* }
-        manual { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* ; )* }
+        answers { $( $answer:ident ( $($aa:ident : $ak:tt),* ) $($a_missing:ident)? ; )* }
+        manual { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* $($h_missing:ident)? ; )* }
     ) => {
-        #[allow(unused_imports, reason = "a chapter may have nothing to ask")]
-        use $crate::context::hooks::Questions as _;
-
         $crate::context::table::generate::ops! {
             $( $class $name $snake ( $($a : $k),* ) ; )*
             $( $c_class $c_name $c_snake ( $($ca : $ck),* ) ; )*
         }
-        $crate::context::table::generate::fallbacks! {
-            $( $snake ( $($a : $k),* ) ; )*
-            $( $c_snake ( $($ca : $ck),* ) ; )*
-            $( $n_snake ( $($na : $nk),* ) $(-> $crate::context::table::arg_kinds::return_ty!($nr))? ; )*
-            $( $answer ( $($aa : $ak),* ) -> $crate::context::Values ; )*
-        }
+        $( $crate::context::table::generate::missing! { [$($missing)?] $snake ( $($a : $k),* ) } )*
+        $( $crate::context::table::generate::missing! { [$($c_missing)?] $c_snake ( $($ca : $ck),* ) } )*
+        $( $crate::context::table::generate::missing! {
+            [$($n_missing)?] $n_snake ( $($na : $nk),* ) $(-> $crate::context::table::arg_kinds::return_ty!($nr))?
+        } )*
+        $( $crate::context::table::generate::missing! {
+            [$($a_missing)?] $answer ( $($aa : $ak),* ) -> $crate::context::Values
+        } )*
+
+        /// The rows of this chapter that are marked as missing.
+        #[cfg(test)]
+        pub(crate) const MISSING: &[(&str, &str)] = &[
+            $( $( (stringify!($snake), stringify!($missing)), )? )*
+            $( $( (stringify!($c_snake), stringify!($c_missing)), )? )*
+            $( $( (stringify!($n_snake), stringify!($n_missing)), )? )*
+            $( $( (stringify!($answer), stringify!($a_missing)), )? )*
+            $( $( (stringify!($h_name), stringify!($h_missing)), )? )*
+        ];
 
         /// The rows of this chapter.
         #[cfg(test)]
@@ -171,6 +178,7 @@ macro_rules! chapter {
             $( $crate::context::table::row!($h_class $h_name $(| $h_alias)*), )*
         ];
 
+        #[doc = concat!("# ", $title)]
         #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
         #[allow(clippy::extra_unused_lifetimes, reason = "only memory arguments have the lifetime")]
         impl $crate::context::Context {
@@ -189,6 +197,7 @@ macro_rules! chapter {
             $( $(
                 #[doc = $sentence]
                 #[doc = concat!("\n\nIn C: `", stringify!($f_name), "`.")]
+                $(#[$f_doc])*
                 #[inline]
                 #[track_caller]
                 pub fn $f_snake<'a>(&mut self, $($fa: $crate::context::table::arg_kinds::door_ty!($fk)),*) {
@@ -232,6 +241,7 @@ macro_rules! chapter {
             $( $(
                 #[doc = $q_sentence]
                 #[doc = concat!("\n\nIn C: `", stringify!($q_name), "`.")]
+                $(#[$q_doc])*
                 #[track_caller]
                 pub fn $q_snake(
                     &mut self,
@@ -267,4 +277,4 @@ macro_rules! chapter {
     };
 }
 
-pub(crate) use {allowed_inside, ask, chapter, enter, fallbacks, immediate, ops, or_unit};
+pub(crate) use {allowed_inside, ask, chapter, enter, immediate, missing, ops, or_unit};

@@ -2,6 +2,7 @@
 //! the answer is converted to the type that the command asks for (section 6.1.2).
 
 macro_rules! get_table { ($generate:ident) => { $generate! {
+    title "Queries (chapter 6)";
     canonical {}
     commands {}
     forms {}
@@ -18,6 +19,7 @@ macro_rules! get_table { ($generate:ident) => { $generate! {
     queries {
         family "State variables by name (section 6.1.1). `INVALID_ENUM` for names that do not exist, `INVALID_VALUE` if the slice is too short for the answer." {
             glGetBooleanv get_booleanv(pname: enum) -> u8 => get(pname);
+            #[doc = include_str!("examples/get.md")]
             glGetIntegerv get_integerv(pname: enum) -> i32 => get(pname);
             glGetFloatv get_floatv(pname: enum) -> f32 => get(pname);
             glGetDoublev get_doublev(pname: enum) -> f64 => get(pname);

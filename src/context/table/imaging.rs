@@ -4,47 +4,48 @@
 use crate::context::Params;
 
 macro_rules! imaging_table { ($generate:ident) => { $generate! {
+    title "The imaging subset (section 3.6)";
     canonical {
-        list ColorTableParameter color_table_parameter(target: enum, pname: enum, params: params);
-        list ConvolutionParameter convolution_parameter(target: enum, pname: enum, params: params);
+        list ColorTableParameter color_table_parameter(target: enum, pname: enum, params: params) missing;
+        list ConvolutionParameter convolution_parameter(target: enum, pname: enum, params: params) missing;
     }
     commands {
         /// Specifies a colour table (section 3.6.3). A proxy target only asks whether it would fit.
         proxy glColorTable | glColorTableEXT | glColorTableSGI color_table(target: enum, internal_format: enum, width: i32,
-            format: enum, type_: enum, table: (rect [width, 1], format, type_));
+            format: enum, type_: enum, table: (rect [width, 1], format, type_)) missing;
         /// Replaces a part of a colour table (section 3.6.3).
         list glColorSubTable | glColorSubTableEXT color_sub_table(target: enum, start: i32, count: i32, format: enum,
-            type_: enum, data: (rect [count, 1], format, type_));
+            type_: enum, data: (rect [count, 1], format, type_)) missing;
         /// Makes a colour table of pixels of the read buffer (section 3.6.3).
         list glCopyColorTable | glCopyColorTableSGI copy_color_table(target: enum, internal_format: enum, x: i32, y: i32,
-            width: i32);
+            width: i32) missing;
         /// Replaces a part of a colour table by pixels of the read buffer (section 3.6.3).
         list glCopyColorSubTable | glCopyColorSubTableEXT copy_color_sub_table(target: enum, start: i32, x: i32, y: i32,
-            width: i32);
+            width: i32) missing;
         /// Specifies a one-dimensional convolution filter (section 3.6.3).
         list glConvolutionFilter1D | glConvolutionFilter1DEXT convolution_filter_1d(target: enum, internal_format: enum,
-            width: i32, format: enum, type_: enum, image: (rect [width, 1], format, type_));
+            width: i32, format: enum, type_: enum, image: (rect [width, 1], format, type_)) missing;
         /// Specifies a two-dimensional convolution filter (section 3.6.3).
         list glConvolutionFilter2D | glConvolutionFilter2DEXT convolution_filter_2d(target: enum, internal_format: enum,
-            width: i32, height: i32, format: enum, type_: enum, image: (rect [width, height], format, type_));
+            width: i32, height: i32, format: enum, type_: enum, image: (rect [width, height], format, type_)) missing;
         /// Specifies a separable convolution filter (section 3.6.3).
         list glSeparableFilter2D | glSeparableFilter2DEXT separable_filter_2d(target: enum, internal_format: enum,
             width: i32, height: i32, format: enum, type_: enum, row: (rect [width, 1], format, type_),
-            column: (rect [height, 1], format, type_));
+            column: (rect [height, 1], format, type_)) missing;
         /// Makes a one-dimensional convolution filter of pixels of the read buffer (section 3.6.3).
         list glCopyConvolutionFilter1D | glCopyConvolutionFilter1DEXT copy_convolution_filter_1d(target: enum,
-            internal_format: enum, x: i32, y: i32, width: i32);
+            internal_format: enum, x: i32, y: i32, width: i32) missing;
         /// Makes a two-dimensional convolution filter of pixels of the read buffer (section 3.6.3).
         list glCopyConvolutionFilter2D | glCopyConvolutionFilter2DEXT copy_convolution_filter_2d(target: enum,
-            internal_format: enum, x: i32, y: i32, width: i32, height: i32);
+            internal_format: enum, x: i32, y: i32, width: i32, height: i32) missing;
         /// Specifies a histogram (section 3.6.3). A proxy target only asks whether it would fit.
-        proxy glHistogram | glHistogramEXT histogram(target: enum, width: i32, internal_format: enum, sink: bool);
+        proxy glHistogram | glHistogramEXT histogram(target: enum, width: i32, internal_format: enum, sink: bool) missing;
         /// Sets all counters of a histogram to 0 (section 6.1.9).
-        list glResetHistogram | glResetHistogramEXT reset_histogram(target: enum);
+        list glResetHistogram | glResetHistogramEXT reset_histogram(target: enum) missing;
         /// Specifies the minmax table (section 3.6.3).
-        list glMinmax | glMinmaxEXT minmax(target: enum, internal_format: enum, sink: bool);
+        list glMinmax | glMinmaxEXT minmax(target: enum, internal_format: enum, sink: bool) missing;
         /// Resets the minmax table (section 6.1.10).
-        list glResetMinmax | glResetMinmaxEXT reset_minmax(target: enum);
+        list glResetMinmax | glResetMinmaxEXT reset_minmax(target: enum) missing;
     }
     forms {
         family "Sets scale or bias of a colour table (section 3.6.3)." {
@@ -66,19 +67,19 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
     now {
         /// Writes a colour table under the pack state (section 6.1.7).
         now glGetColorTable | glGetColorTableEXT | glGetColorTableSGI get_color_table(target: enum, format: enum,
-            type_: enum, table: (imaging_out target, format, type_));
+            type_: enum, table: (imaging_out target, format, type_)) missing;
         /// Writes a convolution filter under the pack state (section 6.1.8).
         now glGetConvolutionFilter | glGetConvolutionFilterEXT get_convolution_filter(target: enum, format: enum,
-            type_: enum, image: (imaging_out target, format, type_));
+            type_: enum, image: (imaging_out target, format, type_)) missing;
         /// Writes both parts of a separable filter under the pack state (section 6.1.8).
         now glGetSeparableFilter | glGetSeparableFilterEXT get_separable_filter(target: enum, format: enum, type_: enum,
-            row: (imaging_out target, format, type_), column: (imaging_out target, format, type_), span: (bytes_out 0));
+            row: (imaging_out target, format, type_), column: (imaging_out target, format, type_), span: (bytes_out 0)) missing;
         /// Writes a histogram under the pack state (section 6.1.9).
         now glGetHistogram | glGetHistogramEXT get_histogram(target: enum, reset: bool, format: enum, type_: enum,
-            values: (imaging_out target, format, type_));
+            values: (imaging_out target, format, type_)) missing;
         /// Writes the minmax table under the pack state (section 6.1.10).
         now glGetMinmax | glGetMinmaxEXT get_minmax(target: enum, reset: bool, format: enum, type_: enum,
-            values: (rect_out [2, 1], format, type_));
+            values: (rect_out [2, 1], format, type_)) missing;
     }
     queries {
         family "A property of a colour table (section 6.1.7)." {
@@ -107,10 +108,10 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
         }
     }
     answers {
-        get_color_table_parameter(target: enum, pname: enum);
-        get_convolution_parameter(target: enum, pname: enum);
-        get_histogram_parameter(target: enum, pname: enum);
-        get_minmax_parameter(target: enum, pname: enum);
+        get_color_table_parameter(target: enum, pname: enum) missing;
+        get_convolution_parameter(target: enum, pname: enum) missing;
+        get_histogram_parameter(target: enum, pname: enum) missing;
+        get_minmax_parameter(target: enum, pname: enum) missing;
     }
     manual {}
 } } }

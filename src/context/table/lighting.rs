@@ -4,6 +4,7 @@
 use crate::context::Params;
 
 macro_rules! lighting_table { ($generate:ident) => { $generate! {
+    title "Colours and lighting (section 2.14)";
     canonical {
         list Light light(light: enum, pname: enum, params: params);
         list LightModel light_model(pname: enum, params: params);
@@ -24,6 +25,7 @@ macro_rules! lighting_table { ($generate:ident) => { $generate! {
             list glLighti lighti(light: enum, pname: enum, param: int) => light(light, pname, &Params::int(param));
             list glLightf lightf(light: enum, pname: enum, param: float) => light(light, pname, &Params::float(param));
             list glLightiv lightiv(light: enum, pname: enum, params: (slice i32: light(pname))) => light(light, pname, &Params::ints(params));
+            #[doc = include_str!("examples/light.md")]
             list glLightfv lightfv(light: enum, pname: enum, params: (slice f32: light(pname))) => light(light, pname, &Params::floats(params));
         }
         family "Sets a parameter of the lighting model (section 2.14.1)." {
@@ -36,6 +38,7 @@ macro_rules! lighting_table { ($generate:ident) => { $generate! {
             begin glMateriali materiali(face: enum, pname: enum, param: int) => material(face, pname, &Params::int(param));
             begin glMaterialf materialf(face: enum, pname: enum, param: float) => material(face, pname, &Params::float(param));
             begin glMaterialiv materialiv(face: enum, pname: enum, params: (slice i32: material(pname))) => material(face, pname, &Params::ints(params));
+            #[doc = include_str!("examples/material.md")]
             begin glMaterialfv materialfv(face: enum, pname: enum, params: (slice f32: material(pname))) => material(face, pname, &Params::floats(params));
         }
         family "Sets a parameter of the fog (section 3.10). `INVALID_VALUE` for a negative density." {

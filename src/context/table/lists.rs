@@ -4,25 +4,27 @@
 macro_rules! lists_table {
     ($generate:ident) => {
         $generate! {
+            title "Display lists, selection, feedback, flush and finish (sections 5.2 to 5.5)";
             canonical {}
             commands {
                 /// Sets what CallLists adds to every name (section 5.4).
                 list glListBase list_base(base: uint);
                 /// Empties the name stack (section 5.2).
-                list glInitNames init_names();
+                list glInitNames init_names() missing;
                 /// Replaces the top of the name stack (section 5.2). `INVALID_OPERATION` if it is empty.
-                list glLoadName load_name(name: uint);
+                list glLoadName load_name(name: uint) missing;
                 /// Pushes a name (section 5.2). `STACK_OVERFLOW` on a full stack.
-                list glPushName push_name(name: uint);
+                list glPushName push_name(name: uint) missing;
                 /// Pops a name (section 5.2). `STACK_UNDERFLOW` on an empty stack.
-                list glPopName pop_name();
+                list glPopName pop_name() missing;
                 /// Writes a number into the feedback buffer (section 5.3).
-                list glPassThrough pass_through(token: f32);
+                list glPassThrough pass_through(token: f32) missing;
             }
             forms {}
             context {
                 /// Opens a display list (section 5.4): `COMPILE` only records, `COMPILE_AND_EXECUTE` also carries out.
                 /// `INVALID_VALUE` for the name 0, `INVALID_ENUM` for other modes, `INVALID_OPERATION` if one is open.
+                #[doc = include_str!("examples/new_list.md")]
                 now glNewList new_list(list: uint, mode: enum);
                 /// Closes the open list, which now takes the place of the one of its name (section 5.4). `INVALID_OPERATION` if
                 /// none is open.
@@ -50,9 +52,9 @@ macro_rules! lists_table {
             queries {}
             answers {}
             manual {
-                now glRenderMode;
-                now glFeedbackBuffer;
-                now glSelectBuffer;
+                now glRenderMode missing;
+                now glFeedbackBuffer missing;
+                now glSelectBuffer missing;
             }
         }
     };

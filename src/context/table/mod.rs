@@ -3,6 +3,7 @@
 //! the safe C-named function in `fixedgl::c`, the exported C function, its entry in display lists and in the trace.
 //!
 //! # Sections of a chapter
+//! - `title`: the heading of the chapter's methods in the documentation.
 //! - `canonical`: commands in the one form that the engine knows, without a door of their own.
 //! - `commands`: commands that have only one form; the row is the canonical command and the door.
 //! - `forms`: typed doors (`=>` says which canonical command with which arguments), grouped in families by a sentence.
@@ -23,8 +24,8 @@
 //!
 //! # What the engine implements
 //! Inherent methods of `Engine` named as the rows of `canonical`, `commands`, `now` and `answers`, `&mut self`, `pub(crate)`,
-//! returning `()`, a value, or an [`Outcome`](crate::error::Outcome) of it. Those that are not there yet answer
-//! `INVALID_OPERATION`. The canonical ones:
+//! returning `()`, a value, or an [`Outcome`](crate::error::Outcome) of it. A row that waits for its engine ends in the word
+//! `missing`; it answers `INVALID_OPERATION`. A row without it whose method is not there does not compile. The canonical ones:
 //! ```text
 //! vertex([f32;4])  color([f32;4])  secondary_color([f32;4])  normal([f32;3])  tex_coord([f32;4])
 //! multi_tex_coord(target: u32, [f32;4])  fog_coord(f32)  index(f32)  edge_flag(bool)
@@ -49,7 +50,6 @@
 //! render_mode(mode) -> Outcome<i32>  feedback_buffer(size, type)  select_buffer(size)  feedback_values() -> &[f32]
 //! select_values() -> &[u32]  map_buffer(target, access) -> Outcome<&mut [u8]>  unmap_buffer(target) -> Outcome<bool>
 //! ```
-//! and what `hooks.rs` asks: `inside_begin_end()`, `current_list_base()`, `unpack_store()`, `array_element_values(..)`, ...
 //! `Params` (in `params.rs`) knows the form that was called; `Values` (in `values.rs`) is converted to the type that asked.
 
 pub(crate) mod arg_kinds;
@@ -148,6 +148,27 @@ const CHAPTERS: [&[Row]; 12] = [
     get::ROWS,
     imaging::ROWS,
 ];
+
+/// The rows that are marked as missing, with their marks.
+#[cfg(test)]
+pub fn missing() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    [
+        vertex::MISSING,
+        transform::MISSING,
+        lighting::MISSING,
+        raster::MISSING,
+        texture::MISSING,
+        pixels::MISSING,
+        fragment::MISSING,
+        arrays::MISSING,
+        evaluators::MISSING,
+        lists::MISSING,
+        get::MISSING,
+        imaging::MISSING,
+    ]
+    .into_iter()
+    .flatten()
+}
 
 /// All rows of the table.
 #[cfg(test)]

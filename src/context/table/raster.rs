@@ -5,6 +5,7 @@ use crate::context::Params;
 use crate::enums::{GL_BITMAP, GL_COLOR_INDEX};
 
 macro_rules! raster_table { ($generate:ident) => { $generate! {
+    title "Points, lines, polygons and hints (sections 3.3 to 3.5, 5.6)";
     canonical {
         list PointParameter point_parameter(pname: enum, params: params);
     }

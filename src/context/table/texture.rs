@@ -4,6 +4,7 @@
 use crate::context::Params;
 
 macro_rules! texture_table { ($generate:ident) => { $generate! {
+    title "Texturing (section 3.8)";
     canonical {
         list TexParameter tex_parameter(target: enum, pname: enum, params: params);
         list TexEnv tex_env(target: enum, pname: enum, params: params);
@@ -16,6 +17,7 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
             format: enum, type_: enum, pixels: (rect [width, 1], format, type_));
         /// Specifies a two-dimensional texture image, a face of a cube map or a rectangle texture (section 3.8.1). Errors
         /// as for the one-dimensional image. A proxy target only asks whether it would fit.
+        #[doc = include_str!("examples/tex_image_2d.md")]
         proxy glTexImage2D tex_image_2d(target: enum, level: i32, internal_format: int, width: i32, height: i32,
             border: i32, format: enum, type_: enum, pixels: (rect [width, height], format, type_));
         /// Specifies a three-dimensional texture image (section 3.8.1). Errors as for the one-dimensional image. A proxy
@@ -73,6 +75,7 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
             image_size: i32, data: (bytes image_size));
         /// Binds a texture object to a target of the active unit and makes it if it is new (section 3.8.12).
         /// `INVALID_OPERATION` if it has another target.
+        #[doc = include_str!("examples/bind_texture.md")]
         list glBindTexture | glBindTextureEXT bind_texture(target: enum, texture: uint);
         /// Sets priorities of texture objects (section 3.8.12); they are kept and have no effect.
         list glPrioritizeTextures | glPrioritizeTexturesEXT prioritize_textures(n: i32, textures: (slice u32: count(n)),
@@ -82,12 +85,14 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
     }
     forms {
         family "Sets how a texture is filtered, wrapped and compared (section 3.8.4). `INVALID_ENUM` for other targets, names and values, `INVALID_VALUE` for negative levels." {
+            #[doc = include_str!("examples/tex_parameter.md")]
             list glTexParameteri tex_parameteri(target: enum, pname: enum, param: int) => tex_parameter(target, pname, &Params::int(param));
             list glTexParameterf tex_parameterf(target: enum, pname: enum, param: float) => tex_parameter(target, pname, &Params::float(param));
             list glTexParameteriv tex_parameteriv(target: enum, pname: enum, params: (slice i32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::ints(params));
             list glTexParameterfv tex_parameterfv(target: enum, pname: enum, params: (slice f32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::floats(params));
         }
         family "Sets the environment of the active texture unit: function, colour, combiners, LOD bias, point sprites (section 3.8.13). `INVALID_ENUM` for other targets, names and values." {
+            #[doc = include_str!("examples/tex_env.md")]
             list glTexEnvi tex_envi(target: enum, pname: enum, param: int) => tex_env(target, pname, &Params::int(param));
             list glTexEnvf tex_envf(target: enum, pname: enum, param: float) => tex_env(target, pname, &Params::float(param));
             list glTexEnviv tex_enviv(target: enum, pname: enum, params: (slice i32: tex_env(pname))) => tex_env(target, pname, &Params::ints(params));

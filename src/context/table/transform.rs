@@ -5,6 +5,7 @@ use crate::context::Params;
 use crate::context::convert::{matrix, transposed};
 
 macro_rules! transform_table { ($generate:ident) => { $generate! {
+    title "Coordinate transformation and clipping (sections 2.11, 2.12)";
     canonical {
         list LoadMatrix load_matrix(m: matrix);
         list MultMatrix mult_matrix(m: matrix);
@@ -16,6 +17,7 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
     commands {
         /// Selects the matrix stack that the matrix commands work on (section 2.11.2): `MODELVIEW`, `PROJECTION`,
         /// `TEXTURE` or `COLOR`, else `INVALID_ENUM`.
+        #[doc = include_str!("examples/matrix_mode.md")]
         list glMatrixMode matrix_mode(mode: enum);
         /// Replaces the current matrix by the identity (section 2.11.2).
         list glLoadIdentity load_identity();
@@ -61,6 +63,7 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
                 => mult_matrix(&transposed(m));
         }
         family "Multiplies a rotation by an angle in degrees about an axis (section 2.11.2)." {
+            #[doc = include_str!("examples/rotate.md")]
             list glRotatef rotatef(angle: f32, x: f32, y: f32, z: f32)
                 => rotate(f64::from(angle), f64::from(x), f64::from(y), f64::from(z));
             list glRotated rotated(angle: f64, x: f64, y: f64, z: f64) => rotate(angle, x, y, z);
@@ -74,6 +77,7 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
             list glTranslated translated(x: f64, y: f64, z: f64) => translate(x, y, z);
         }
         family "Sets how a texture coordinate is generated (section 2.11.4): mode, object plane or eye plane of `S`, `T`, `R` or `Q`. `INVALID_ENUM` for other names, modes that the coordinate does not have, and planes through a scalar form." {
+            #[doc = include_str!("examples/tex_gen.md")]
             list glTexGeni tex_geni(coord: enum, pname: enum, param: int) => tex_gen(coord, pname, &Params::int(param));
             list glTexGenf tex_genf(coord: enum, pname: enum, param: float) => tex_gen(coord, pname, &Params::float(param));
             list glTexGend tex_gend(coord: enum, pname: enum, param: f64)

@@ -5,6 +5,7 @@
 use crate::context::convert::{color, corners, normal, number, point, window};
 
 macro_rules! vertex_table { ($generate:ident) => { $generate! {
+    title "Vertices, current values and rectangles (sections 2.6, 2.7, 2.10, 2.12)";
     canonical {
         begin Vertex vertex(position: {[f32; 4]});
         begin Color color(color: {[f32; 4]});
@@ -15,12 +16,13 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
         begin FogCoord fog_coord(coordinate: f32);
         begin Index index(index: f32);
         begin EdgeFlag edge_flag(flag: bool);
-        list RasterPos raster_pos(position: {[f32; 4]});
-        list WindowPos window_pos(position: {[f32; 3]});
+        list RasterPos raster_pos(position: {[f32; 4]}) missing;
+        list WindowPos window_pos(position: {[f32; 3]}) missing;
         list Rect rect(corners: {[f32; 4]});
     }
     commands {
         /// Starts a primitive (section 2.6). `INVALID_ENUM` if `mode` is not `POINTS` to `POLYGON`.
+        #[doc = include_str!("examples/begin.md")]
         list glBegin begin(mode: enum);
         /// Ends the primitive of the last Begin (section 2.6). `INVALID_OPERATION` without one.
         begin glEnd end();
@@ -39,6 +41,7 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
             begin glVertex3sv vertex3sv(v: [i16; 3]) => vertex(point(*v));
             begin glVertex3i vertex3i(x: i32, y: i32, z: i32) => vertex(point([x, y, z]));
             begin glVertex3iv vertex3iv(v: [i32; 3]) => vertex(point(*v));
+            #[doc = include_str!("examples/vertex.md")]
             begin glVertex3f vertex3f(x: f32, y: f32, z: f32) => vertex(point([x, y, z]));
             begin glVertex3fv vertex3fv(v: [f32; 3]) => vertex(point(*v));
             begin glVertex3d vertex3d(x: f64, y: f64, z: f64) => vertex(point([x, y, z]));
@@ -75,6 +78,7 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
             begin glColor4sv color4sv(v: [i16; 4]) => color(color(*v));
             begin glColor4i color4i(red: i32, green: i32, blue: i32, alpha: i32) => color(color([red, green, blue, alpha]));
             begin glColor4iv color4iv(v: [i32; 4]) => color(color(*v));
+            #[doc = include_str!("examples/color.md")]
             begin glColor4f color4f(red: f32, green: f32, blue: f32, alpha: f32) => color(color([red, green, blue, alpha]));
             begin glColor4fv color4fv(v: [f32; 4]) => color(color(*v));
             begin glColor4d color4d(red: f64, green: f64, blue: f64, alpha: f64) => color(color([red, green, blue, alpha]));
@@ -111,6 +115,7 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
             begin glNormal3sv normal3sv(v: [i16; 3]) => normal(normal(*v));
             begin glNormal3i normal3i(nx: i32, ny: i32, nz: i32) => normal(normal([nx, ny, nz]));
             begin glNormal3iv normal3iv(v: [i32; 3]) => normal(normal(*v));
+            #[doc = include_str!("examples/normal.md")]
             begin glNormal3f normal3f(nx: f32, ny: f32, nz: f32) => normal(normal([nx, ny, nz]));
             begin glNormal3fv normal3fv(v: [f32; 3]) => normal(normal(*v));
             begin glNormal3d normal3d(nx: f64, ny: f64, nz: f64) => normal(normal([nx, ny, nz]));
@@ -129,6 +134,7 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
             begin glTexCoord2sv tex_coord2sv(v: [i16; 2]) => tex_coord(point(*v));
             begin glTexCoord2i tex_coord2i(s: i32, t: i32) => tex_coord(point([s, t]));
             begin glTexCoord2iv tex_coord2iv(v: [i32; 2]) => tex_coord(point(*v));
+            #[doc = include_str!("examples/tex_coord.md")]
             begin glTexCoord2f tex_coord2f(s: f32, t: f32) => tex_coord(point([s, t]));
             begin glTexCoord2fv tex_coord2fv(v: [f32; 2]) => tex_coord(point(*v));
             begin glTexCoord2d tex_coord2d(s: f64, t: f64) => tex_coord(point([s, t]));
