@@ -66,7 +66,7 @@ impl Engine {
         let index = coordinate_index(coord)?;
         let generation = &self.state.texture.units[self.state.texture.active].generation[index];
         Ok(match pname {
-            GL_TEXTURE_GEN_MODE => Values::enumerant(generation.mode),
+            GL_TEXTURE_GEN_MODE => Values::enumerant(generation.mode.gl()),
             GL_OBJECT_PLANE => Values::doubles(&generation.object_plane),
             GL_EYE_PLANE => Values::doubles(&generation.eye_plane),
             _ => return Err(wrong("a parameter of texture coordinate generation", pname)),

@@ -5,11 +5,16 @@ use super::Params;
 use super::engine::Engine;
 use super::raster_state::to_eye_plane;
 use crate::enums::*;
-use crate::error::{GlError, Outcome, invalid_enum, invalid_value};
+use crate::error::{GlError, Outcome, invalid_enum, invalid_value, known};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::clamp01;
 use crate::state::Dirty;
+use crate::state::texture::CombineFunction;
+use crate::state::texture::CombineOperand;
+use crate::state::texture::CombineSource;
 use crate::state::texture::Env;
+use crate::state::texture::EnvMode;
+use crate::state::texture::TexGenMode;
 
 /// The number of a texture unit by its name.
 pub(crate) fn unit_index(texture: GLenum) -> Outcome<usize> {
@@ -50,16 +55,9 @@ impl Engine {
         match pname {
             GL_TEXTURE_GEN_MODE => {
                 let mode = params.enumerant();
-                let allowed = match mode {
-                    GL_OBJECT_LINEAR | GL_EYE_LINEAR => true,
-                    GL_SPHERE_MAP => index < 2,
-                    GL_REFLECTION_MAP | GL_NORMAL_MAP => index < 3,
-                    _ => false,
-                };
-                if !allowed {
-                    return Err(invalid_enum(format!("{} cannot generate {}", name(mode), name(coord))));
-                }
-                generation.mode = mode;
+                generation.mode = TexGenMode::from_gl(mode)
+                    .filter(|mode| index < mode.coordinates())
+                    .ok_or_else(|| invalid_enum(format!("{} cannot generate {}", name(mode), name(coord))))?;
             }
             GL_OBJECT_PLANE => {
                 params.vector_only("TexGen", pname)?;
@@ -95,22 +93,15 @@ fn find(table: &[[GLenum; 2]; 3], pname: GLenum) -> Option<(usize, usize)> {
 fn set_env(env: &mut Env, pname: GLenum, params: &Params) -> Outcome {
     let value = params.enumerant();
     match pname {
-        GL_TEXTURE_ENV_MODE => match value {
-            GL_REPLACE | GL_MODULATE | GL_DECAL | GL_BLEND | GL_ADD | GL_COMBINE => env.mode = value,
-            _ => return Err(wrong("a texture environment mode", value)),
-        },
+        GL_TEXTURE_ENV_MODE => env.mode = known(EnvMode::from_gl(value), value, "a texture environment mode")?,
         GL_TEXTURE_ENV_COLOR => {
             params.vector_only("TexEnv", pname)?;
             env.color = params.color().map(clamp01);
         }
         GL_COMBINE_RGB | GL_COMBINE_ALPHA => {
             let alpha = pname == GL_COMBINE_ALPHA;
-            match value {
-                GL_REPLACE | GL_MODULATE | GL_ADD | GL_ADD_SIGNED | GL_INTERPOLATE | GL_SUBTRACT => {}
-                GL_DOT3_RGB | GL_DOT3_RGBA | GL_DOT3_RGB_EXT | GL_DOT3_RGBA_EXT if !alpha => {}
-                _ => return Err(wrong("a combine function", value)),
-            }
-            env.combine[usize::from(alpha)] = value;
+            let function = CombineFunction::from_gl(value).filter(|function| !alpha || !function.is_dot());
+            env.combine[usize::from(alpha)] = known(function, value, "a combine function")?;
         }
         GL_RGB_SCALE | GL_ALPHA_SCALE => {
             let scale = params.scalar();
@@ -121,17 +112,10 @@ fn set_env(env: &mut Env, pname: GLenum, params: &Params) -> Outcome {
         }
         _ => {
             if let Some((i, k)) = find(&SOURCES, pname) {
-                let unit = value.wrapping_sub(GL_TEXTURE0) < MAX_TEXTURE_UNITS as u32;
-                if !unit && !matches!(value, GL_TEXTURE | GL_CONSTANT | GL_PRIMARY_COLOR | GL_PREVIOUS) {
-                    return Err(wrong("a combine source", value));
-                }
-                env.source[i][k] = value;
+                env.source[i][k] = known(CombineSource::from_gl(value), value, "a combine source")?;
             } else if let Some((i, k)) = find(&OPERANDS, pname) {
-                let color = k == 0 && matches!(value, GL_SRC_COLOR | GL_ONE_MINUS_SRC_COLOR);
-                if !color && !matches!(value, GL_SRC_ALPHA | GL_ONE_MINUS_SRC_ALPHA) {
-                    return Err(wrong("a combine operand for this argument", value));
-                }
-                env.operand[i][k] = value;
+                let operand = CombineOperand::from_gl(value).filter(|operand| k == 0 || operand.is_alpha());
+                env.operand[i][k] = known(operand, value, "a combine operand for this argument")?;
             } else {
                 return Err(wrong("a texture environment parameter", pname));
             }
@@ -144,18 +128,18 @@ fn set_env(env: &mut Env, pname: GLenum, params: &Params) -> Outcome {
 pub(crate) fn env_value(env: &Env, pname: GLenum) -> Option<super::Values> {
     use super::Values;
     Some(match pname {
-        GL_TEXTURE_ENV_MODE => Values::enumerant(env.mode),
+        GL_TEXTURE_ENV_MODE => Values::enumerant(env.mode.gl()),
         GL_TEXTURE_ENV_COLOR => Values::unit(&env.color),
-        GL_COMBINE_RGB => Values::enumerant(env.combine[0]),
-        GL_COMBINE_ALPHA => Values::enumerant(env.combine[1]),
+        GL_COMBINE_RGB => Values::enumerant(env.combine[0].gl()),
+        GL_COMBINE_ALPHA => Values::enumerant(env.combine[1].gl()),
         GL_RGB_SCALE => Values::float(env.scale[0]),
         GL_ALPHA_SCALE => Values::float(env.scale[1]),
         _ => {
             if let Some((i, k)) = find(&SOURCES, pname) {
-                Values::enumerant(env.source[i][k])
+                Values::enumerant(env.source[i][k].gl())
             } else {
                 let (i, k) = find(&OPERANDS, pname)?;
-                Values::enumerant(env.operand[i][k])
+                Values::enumerant(env.operand[i][k].gl())
             }
         }
     })

@@ -9,8 +9,13 @@ use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_va
 use crate::num::clamp01;
 use crate::state::Dirty;
 use crate::state::compare::CompareFunc;
+use crate::state::texture::DepthTextureMode;
+use crate::state::texture::TextureCompareMode;
+use crate::state::texture::TextureFilter;
+use crate::state::texture::WrapMode;
 use crate::state::texture::{Target, TexParameters, TextureState};
 use crate::texture::object::TextureObject;
+use crate::texture::wrap;
 use std::collections::HashMap;
 
 /// All texture objects of a context.
@@ -209,49 +214,28 @@ pub(crate) fn not_negative(what: &str, n: i32) -> Outcome {
     if n >= 0 { Ok(()) } else { Err(invalid_value(format!("{what} is {n}; it must not be negative"))) }
 }
 
-fn wrap_allowed(target: Target, wrap: GLenum) -> bool {
-    match wrap {
-        GL_CLAMP | GL_CLAMP_TO_EDGE | GL_CLAMP_TO_BORDER => true,
-        GL_REPEAT
-        | GL_MIRRORED_REPEAT
-        | GL_MIRROR_CLAMP_EXT
-        | GL_MIRROR_CLAMP_TO_EDGE_EXT
-        | GL_MIRROR_CLAMP_TO_BORDER_EXT => target != Target::Rectangle,
-        _ => false,
-    }
-}
-
 fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &Params) -> Outcome {
     let value = params.enumerant();
     let rectangle = target == Target::Rectangle;
     match pname {
         GL_TEXTURE_WRAP_S | GL_TEXTURE_WRAP_T | GL_TEXTURE_WRAP_R => {
-            if !wrap_allowed(target, value) {
-                return Err(wrong("a wrap mode of this target", value));
-            }
+            let mode = WrapMode::from_gl(value).filter(|mode| !rectangle || wrap::row(*mode).on_rectangles);
+            let mode = known(mode, value, "a wrap mode of this target")?;
             let coordinate = match pname {
                 GL_TEXTURE_WRAP_S => 0,
                 GL_TEXTURE_WRAP_T => 1,
                 _ => 2,
             };
-            p.wrap[coordinate] = value;
+            p.wrap[coordinate] = mode;
         }
-        GL_TEXTURE_MIN_FILTER => match value {
-            GL_NEAREST | GL_LINEAR => p.min_filter = value,
-            GL_NEAREST_MIPMAP_NEAREST
-            | GL_LINEAR_MIPMAP_NEAREST
-            | GL_NEAREST_MIPMAP_LINEAR
-            | GL_LINEAR_MIPMAP_LINEAR
-                if !rectangle =>
-            {
-                p.min_filter = value;
-            }
-            _ => return Err(wrong("a minification filter of this target", value)),
-        },
-        GL_TEXTURE_MAG_FILTER => match value {
-            GL_NEAREST | GL_LINEAR => p.mag_filter = value,
-            _ => return Err(wrong("a magnification filter (GL_NEAREST or GL_LINEAR)", value)),
-        },
+        GL_TEXTURE_MIN_FILTER => {
+            let filter = TextureFilter::from_gl(value).filter(|filter| !rectangle || !filter.has_mipmaps());
+            p.min_filter = known(filter, value, "a minification filter of this target")?;
+        }
+        GL_TEXTURE_MAG_FILTER => {
+            let filter = TextureFilter::from_gl(value).filter(|filter| !filter.has_mipmaps());
+            p.mag_filter = known(filter, value, "a magnification filter (GL_NEAREST or GL_LINEAR)")?;
+        }
         GL_TEXTURE_BORDER_COLOR => {
             params.vector_only("TexParameter", pname)?;
             p.border_color = params.color().map(clamp01);
@@ -278,14 +262,14 @@ fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &
             }
             p.max_anisotropy = degree.min(crate::limits::MAX_TEXTURE_MAX_ANISOTROPY);
         }
-        GL_DEPTH_TEXTURE_MODE => match value {
-            GL_LUMINANCE | GL_INTENSITY | GL_ALPHA => p.depth_mode = value,
-            _ => return Err(wrong("GL_LUMINANCE, GL_INTENSITY or GL_ALPHA", value)),
-        },
-        GL_TEXTURE_COMPARE_MODE => match value {
-            GL_NONE | GL_COMPARE_R_TO_TEXTURE => p.compare_mode = value,
-            _ => return Err(wrong("GL_NONE or GL_COMPARE_R_TO_TEXTURE", value)),
-        },
+        GL_DEPTH_TEXTURE_MODE => {
+            let mode = DepthTextureMode::from_gl(value);
+            p.depth_mode = known(mode, value, "GL_LUMINANCE, GL_INTENSITY or GL_ALPHA")?;
+        }
+        GL_TEXTURE_COMPARE_MODE => {
+            let mode = TextureCompareMode::from_gl(value);
+            p.compare_mode = known(mode, value, "GL_NONE or GL_COMPARE_R_TO_TEXTURE")?;
+        }
         GL_TEXTURE_COMPARE_FUNC => {
             p.compare_func = known(CompareFunc::from_gl(value), value, "a comparison function")?;
         }
@@ -297,11 +281,11 @@ fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &
 
 fn parameter_value(p: &TexParameters, pname: GLenum) -> Option<Values> {
     Some(match pname {
-        GL_TEXTURE_WRAP_S => Values::enumerant(p.wrap[0]),
-        GL_TEXTURE_WRAP_T => Values::enumerant(p.wrap[1]),
-        GL_TEXTURE_WRAP_R => Values::enumerant(p.wrap[2]),
-        GL_TEXTURE_MIN_FILTER => Values::enumerant(p.min_filter),
-        GL_TEXTURE_MAG_FILTER => Values::enumerant(p.mag_filter),
+        GL_TEXTURE_WRAP_S => Values::enumerant(p.wrap[0].gl()),
+        GL_TEXTURE_WRAP_T => Values::enumerant(p.wrap[1].gl()),
+        GL_TEXTURE_WRAP_R => Values::enumerant(p.wrap[2].gl()),
+        GL_TEXTURE_MIN_FILTER => Values::enumerant(p.min_filter.gl()),
+        GL_TEXTURE_MAG_FILTER => Values::enumerant(p.mag_filter.gl()),
         GL_TEXTURE_BORDER_COLOR => Values::unit(&p.border_color),
         GL_TEXTURE_PRIORITY => Values::unit(&[p.priority]),
         GL_TEXTURE_RESIDENT => Values::boolean(true),
@@ -311,8 +295,8 @@ fn parameter_value(p: &TexParameters, pname: GLenum) -> Option<Values> {
         GL_TEXTURE_BASE_LEVEL => Values::int(p.base_level),
         GL_TEXTURE_MAX_LEVEL => Values::int(p.max_level),
         GL_TEXTURE_MAX_ANISOTROPY_EXT => Values::float(p.max_anisotropy),
-        GL_DEPTH_TEXTURE_MODE => Values::enumerant(p.depth_mode),
-        GL_TEXTURE_COMPARE_MODE => Values::enumerant(p.compare_mode),
+        GL_DEPTH_TEXTURE_MODE => Values::enumerant(p.depth_mode.gl()),
+        GL_TEXTURE_COMPARE_MODE => Values::enumerant(p.compare_mode.gl()),
         GL_TEXTURE_COMPARE_FUNC => Values::enumerant(p.compare_func.gl()),
         GL_GENERATE_MIPMAP => Values::boolean(p.generate_mipmap),
         _ => return None,

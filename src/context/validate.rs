@@ -14,7 +14,6 @@ use crate::state::raster::PolygonMode;
 use crate::state::texture::Target;
 use crate::texture::object::TextureObject;
 use crate::texture::sampler;
-use crate::texture::uniforms::is_mipmap_filter;
 use crate::vertex::plan::Wants;
 use std::sync::Arc;
 
@@ -105,7 +104,7 @@ impl Engine {
 
     /// Whether the texture of a unit can be sampled, with its rings filled. If not, a note says why.
     fn ready(&mut self, unit: usize, target: Target, texture: u32) -> bool {
-        if is_mipmap_filter(self.textures.object(target, texture).parameters.min_filter)
+        if self.textures.object(target, texture).parameters.min_filter.has_mipmaps()
             && let Err(error) = self.ensure_mip_levels(target, texture)
         {
             self.note(error.message);

@@ -135,13 +135,14 @@ pub fn footprint_stage(dims: usize) -> &'static Stage<TexFn> {
 mod tests {
     use crate::enums::*;
     use crate::state::texture::Target;
+    use crate::state::texture::TextureFilter;
     use crate::texture::object::TextureObject;
     use crate::texture::tests::support::*;
 
     /// Level l is grey of 10 + 30 l.
     fn levels(aniso: f32) -> TextureObject {
         let mut o = object(Target::D2, GL_LUMINANCE8, [64, 64, 1], 7, |_, l, _| grey(10 + 30 * l as i32));
-        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        (o.parameters.min_filter, o.parameters.mag_filter) = (TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
         o.parameters.max_anisotropy = aniso;
         o
     }
@@ -176,7 +177,7 @@ mod tests {
     fn taps_lie_along_the_longer_side() {
         // Columns; lambda limited to 0, so that level 0 is read by each tap.
         let mut o = object(Target::D2, GL_LUMINANCE8, [16, 4, 1], 5, |_, _, [i, ..]| grey(i * i));
-        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        (o.parameters.min_filter, o.parameters.mag_filter) = (TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
         o.parameters.max_anisotropy = 3.0;
         o.parameters.max_lod = 0.0;
         o.parameters.lod_bias = -9.0;
@@ -195,7 +196,8 @@ mod tests {
             let mut o = object(Target::D2, GL_RGBA8, [64, 64, 1], 7, |_, l, [i, j, _]| {
                 [(i * 7 % 13) as f32 / 13.0, (j * 5 % 11) as f32 / 11.0, l as f32 / 7.0, 1.0]
             });
-            (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+            (o.parameters.min_filter, o.parameters.mag_filter) =
+                (TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
             o.parameters.max_anisotropy = aniso;
             sample(&o, &points)
         };

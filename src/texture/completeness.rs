@@ -4,10 +4,9 @@
 
 use super::image::Image;
 use super::object::TextureObject;
-use super::uniforms::is_mipmap_filter;
-use crate::enums::{GLenum, name};
 use crate::limits::MAX_TEXTURE_LEVELS;
 use crate::state::texture::Target;
+use crate::state::texture::TextureFilter;
 use std::fmt;
 
 /// Why a texture is incomplete. `Display` says it in a sentence with the remedy.
@@ -38,7 +37,7 @@ pub enum Incomplete {
         /// The size that the image has to have.
         size: [u32; 3],
         /// The minification filter.
-        filter: GLenum,
+        filter: TextureFilter,
     },
     /// A level does not have the size that follows from the base level.
     WrongSize {
@@ -90,7 +89,7 @@ impl fmt::Display for Incomplete {
                 "the minification filter is {} and level {level}{} is missing; specify it with {w} x {h} x {d} texels, \
                  let GL_GENERATE_MIPMAP or gluBuild2DMipmaps make all levels, limit GL_TEXTURE_MAX_LEVEL, or set \
                  GL_TEXTURE_MIN_FILTER to GL_LINEAR (the initial filter uses mipmaps)",
-                name(*filter),
+                filter.name(),
                 of(face)
             ),
             Self::WrongSize { face, level, found, expected } => write!(
@@ -133,7 +132,7 @@ impl TextureObject {
                 return Err(Incomplete::NotSquare { face });
             }
             alike(image, first, face, base)?;
-            if is_mipmap_filter(p.min_filter) {
+            if p.min_filter.has_mipmaps() {
                 self.levels_follow(face, base, image)?;
             }
         }
@@ -186,11 +185,12 @@ fn alike(image: &Image, first: &Image, face: usize, level: usize) -> Result<(), 
 mod tests {
     use super::*;
     use crate::enums::*;
+    use crate::state::texture::TextureFilter;
     use crate::texture::format::InternalFormat;
     use crate::texture::image::Dimensions;
     use std::sync::Arc;
 
-    fn object(levels: &[(usize, u32)], filter: GLenum) -> TextureObject {
+    fn object(levels: &[(usize, u32)], filter: TextureFilter) -> TextureObject {
         let mut object = TextureObject::new(Target::D2);
         object.parameters.min_filter = filter;
         let format = InternalFormat::find(GL_RGBA8).expect("a format");
@@ -204,14 +204,14 @@ mod tests {
     #[test]
     fn every_incomplete_texture_says_why() {
         let full = [(0, 4), (1, 2), (2, 1)];
-        type Case<'a> = (&'a [(usize, u32)], GLenum, &'a str);
+        type Case<'a> = (&'a [(usize, u32)], TextureFilter, &'a str);
         let rows: [Case<'_>; 6] = [
-            (&full, GL_LINEAR_MIPMAP_LINEAR, ""),
-            (&full[..1], GL_LINEAR, ""),
-            (&full[..2], GL_NEAREST_MIPMAP_LINEAR, "level 2 is missing"),
-            (&[], GL_LINEAR, "no image at level 0"),
-            (&full[1..], GL_LINEAR, "2 other levels"),
-            (&[(0, 4), (1, 3), (2, 1)], GL_LINEAR_MIPMAP_NEAREST, "needs 2 x 2 x 1"),
+            (&full, TextureFilter::LinearMipmapLinear, ""),
+            (&full[..1], TextureFilter::Linear, ""),
+            (&full[..2], TextureFilter::NearestMipmapLinear, "level 2 is missing"),
+            (&[], TextureFilter::Linear, "no image at level 0"),
+            (&full[1..], TextureFilter::Linear, "2 other levels"),
+            (&[(0, 4), (1, 3), (2, 1)], TextureFilter::LinearMipmapNearest, "needs 2 x 2 x 1"),
         ];
         for (levels, filter, reason) in rows {
             match object(levels, filter).complete() {
@@ -223,7 +223,7 @@ mod tests {
 
     #[test]
     fn a_last_level_limits_what_is_needed() {
-        let mut limited = object(&[(0, 8), (1, 4)], GL_LINEAR_MIPMAP_LINEAR);
+        let mut limited = object(&[(0, 8), (1, 4)], TextureFilter::LinearMipmapLinear);
         assert!(limited.complete().is_err());
         limited.parameters.max_level = 1;
         assert_eq!(limited.complete(), Ok(()));

@@ -81,6 +81,8 @@ stage! {
 mod tests {
     use crate::enums::*;
     use crate::state::texture::Target;
+    use crate::state::texture::TextureFilter;
+    use crate::state::texture::WrapMode;
     use crate::texture::object::TextureObject;
     use crate::texture::tests::support::*;
 
@@ -88,7 +90,7 @@ mod tests {
     fn faces() -> TextureObject {
         let mut o =
             object(Target::Cube, GL_LUMINANCE8, [4, 4, 1], 3, |f, _, [i, j, _]| grey(40 * f as i32 + 4 * j + i));
-        o.parameters.wrap = [GL_CLAMP_TO_EDGE; 3];
+        o.parameters.wrap = [WrapMode::ClampToEdge; 3];
         o
     }
 
@@ -139,7 +141,7 @@ mod tests {
     #[test]
     fn lambda_is_that_of_the_projection() {
         let mut o = object(Target::Cube, GL_LUMINANCE8, [64, 64, 1], 7, |_, l, _| grey(10 + 30 * l as i32));
-        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        (o.parameters.min_filter, o.parameters.mag_filter) = (TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
         // On face +z at distance m: s = x / 2m, so rho = 64 * dx / 2m; moving along the direction changes nothing.
         let (m, d) = (5.0f32, 0.7f32);
         let p = SamplePoint { at: [0.0, 0.0, m], dx: [d, 0.0, 9.0], dy: [0.0, 0.1, -3.0] };

@@ -9,12 +9,13 @@ use super::image::Image;
 use super::object::TextureObject;
 use super::padding::PaddingKey;
 use super::rho_ranges::RhoRanges;
-use super::uniforms::{LinearImage, TexFn, UnitUniforms, WrappedImage, is_mipmap_filter, level_range};
+use super::uniforms::{LinearImage, TexFn, UnitUniforms, WrappedImage, level_range};
 use super::wrap::{self, Wrap, general};
 use super::{anisotropy, cube, lod};
-use crate::enums::*;
 use crate::error::Outcome;
 use crate::simd::{Level, Plan, Stage, Step};
+use crate::state::texture::TextureCompareMode;
+use crate::state::texture::TextureFilter;
 use crate::state::texture::{Target, TexParameters};
 use std::sync::Arc;
 
@@ -124,32 +125,22 @@ enum LodCase {
     Varies { mixed: bool, linear: bool },
 }
 
-/// Whether a filter is linear within a level.
-fn is_linear(filter: GLenum) -> bool {
-    matches!(filter, GL_LINEAR | GL_LINEAR_MIPMAP_NEAREST | GL_LINEAR_MIPMAP_LINEAR)
-}
-
-/// Whether a filter blends two levels.
-fn blends_levels(filter: GLenum) -> bool {
-    matches!(filter, GL_NEAREST_MIPMAP_LINEAR | GL_LINEAR_MIPMAP_LINEAR)
-}
-
 /// Whether taps are taken along the footprint: MAX_ANISOTROPY is above 1 and the minification filter one of mipmaps that
 /// is linear within a level.
 fn is_anisotropic(p: &TexParameters, u: &UnitUniforms) -> bool {
-    u.max_taps > 1.0 && matches!(p.min_filter, GL_LINEAR_MIPMAP_NEAREST | GL_LINEAR_MIPMAP_LINEAR)
+    u.max_taps > 1.0 && p.min_filter.has_mipmaps() && p.min_filter.is_linear()
 }
 
 impl LodCase {
     /// Nothing is known beforehand.
     fn general(p: &TexParameters) -> Self {
-        let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
+        let (mag, min) = (p.mag_filter.is_linear(), p.min_filter.is_linear());
         LodCase::Varies { mixed: mag != min, linear: min }
     }
 
     /// Decides from the filters and the limits of lambda. Only exact conditions count.
     fn of(p: &TexParameters, u: &UnitUniforms) -> Self {
-        let (mag, min) = (is_linear(p.mag_filter), is_linear(p.min_filter));
+        let (mag, min) = (p.mag_filter.is_linear(), p.min_filter.is_linear());
         if is_anisotropic(p, u) {
             // How many taps there are is decided before lambda is limited, so every fragment needs its footprint.
             return LodCase::Varies { mixed: !mag, linear: true };
@@ -159,11 +150,11 @@ impl LodCase {
             return LodCase::Base { linear: mag };
         }
         let mixed = mag != min && least <= u.magnify_below;
-        if u.last == 0.0 || !is_mipmap_filter(p.min_filter) {
+        if u.last == 0.0 || !p.min_filter.has_mipmaps() {
             return if mixed { LodCase::Varies { mixed, linear: min } } else { LodCase::Base { linear: min } };
         }
         if !mixed {
-            if greatest <= 0.0 || (!blends_levels(p.min_filter) && greatest <= 0.5) {
+            if greatest <= 0.0 || (!p.min_filter.blends_levels() && greatest <= 0.5) {
                 return LodCase::Base { linear: min };
             }
             if least >= u.last || least == greatest {
@@ -192,7 +183,7 @@ impl Sampler {
         let image = uniforms.images.first().map(|image| Arc::clone(&image.image));
         let format = image.as_ref().map_or(BaseFormat::Rgba, |image| image.base);
         let depth = format == BaseFormat::Depth;
-        let compare = depth && p.compare_mode == GL_COMPARE_R_TO_TEXTURE;
+        let compare = depth && p.compare_mode == TextureCompareMode::CompareRToTexture;
         let cube = object.target == Target::Cube;
         let derivatives = matches!(lod, LodCase::Varies { .. });
         let base = if depth { depth::base_format(p.depth_mode) } else { format };
@@ -222,7 +213,7 @@ impl Sampler {
             builder.push(if derivatives { &cube::CUBE_FACE_DERIVATIVES } else { &cube::CUBE_FACE }, 0);
         }
         let mut taps = None;
-        let one_of_many = is_mipmap_filter(p.min_filter) && !blends_levels(p.min_filter);
+        let one_of_many = p.min_filter.has_mipmaps() && !p.min_filter.blends_levels();
         let nearest_level = one_of_many && !is_anisotropic(p, &uniforms) && !general;
         match lod {
             LodCase::Base { linear } => {
@@ -255,7 +246,7 @@ impl Sampler {
                     }
                     builder.push(&anisotropy::COUNT_TAPS, 0);
                     taps = Some(builder.taps(p.min_filter, mixed));
-                } else if is_mipmap_filter(p.min_filter) {
+                } else if p.min_filter.has_mipmaps() {
                     builder.levels(p.min_filter, linear, mixed);
                 } else {
                     if cube {
@@ -279,12 +270,12 @@ impl Sampler {
         };
         let one_level = match lod {
             LodCase::Base { linear } => !linear,
-            LodCase::Constant { linear, .. } => !linear && !blends_levels(p.min_filter),
-            LodCase::Varies { mixed, linear } => !linear && !mixed && !blends_levels(p.min_filter),
+            LodCase::Constant { linear, .. } => !linear && !p.min_filter.blends_levels(),
+            LodCase::Varies { mixed, linear } => !linear && !mixed && !p.min_filter.blends_levels(),
         };
         let once = derivatives && builder.lod_arg() & lod::ONCE != 0;
-        let certain = once && is_mipmap_filter(p.min_filter) && !matches!(lod, LodCase::Varies { mixed: true, .. });
-        let rho_ranges = certain.then(|| RhoRanges::new(&uniforms, dims, blends_levels(p.min_filter)));
+        let certain = once && p.min_filter.has_mipmaps() && !matches!(lod, LodCase::Varies { mixed: true, .. });
+        let rho_ranges = certain.then(|| RhoRanges::new(&uniforms, dims, p.min_filter.blends_levels()));
         // Where one level is all that is read, the second pass of a filter of two and their mix only bring it to 0..1.
         let one_image = rho_ranges.is_some() || !cube && matches!(lod, LodCase::Base { .. });
         let packed = (one_level && builder.storage == Some(Storage::Rgba8)).then(|| builder.packed(one_image));
@@ -360,7 +351,7 @@ impl Sampler {
 /// A plan being built.
 struct SamplerBuilder {
     plan: Plan<TexFn>,
-    wraps: [&'static Wrap; 3],
+    wraps: [Wrap; 3],
     dims: usize,
     cube: bool,
     compare: bool,
@@ -455,8 +446,8 @@ impl SamplerBuilder {
         }
     }
 
-    fn level(&mut self, filter: GLenum) {
-        let stage = if blends_levels(filter) { &lod::LEVEL_LINEAR } else { &lod::LEVEL_NEAREST };
+    fn level(&mut self, filter: TextureFilter) {
+        let stage = if filter.blends_levels() { &lod::LEVEL_LINEAR } else { &lod::LEVEL_NEAREST };
         self.push(stage, self.lod_arg());
     }
 
@@ -470,9 +461,9 @@ impl SamplerBuilder {
     }
 
     /// Chooses the levels by lambda and filters them.
-    fn levels(&mut self, filter: GLenum, linear: bool, mixed: bool) {
+    fn levels(&mut self, filter: TextureFilter, linear: bool, mixed: bool) {
         self.level(filter);
-        if blends_levels(filter) {
+        if filter.blends_levels() {
             self.pass(linear, mixed, filter::PARTIAL);
             self.pass(linear, mixed, filter::PARTIAL | filter::SECOND);
             self.push(&lod::MIX_LEVELS, self.unit_factor());
@@ -482,12 +473,12 @@ impl SamplerBuilder {
     }
 
     /// The same for each tap of an anisotropic filter: where in the plan the taps start and end.
-    fn taps(&mut self, filter: GLenum, mixed: bool) -> (usize, usize) {
+    fn taps(&mut self, filter: TextureFilter, mixed: bool) -> (usize, usize) {
         self.level(filter);
         let start = self.plan.steps.len();
         self.push(&anisotropy::TAP, self.dims as u32);
         self.pass(true, mixed, filter::PARTIAL);
-        if blends_levels(filter) {
+        if filter.blends_levels() {
             self.pass(true, mixed, filter::PARTIAL | filter::SECOND);
         }
         self.push(&anisotropy::ADD_TAP, 0);

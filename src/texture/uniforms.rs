@@ -7,7 +7,6 @@ use super::image::Image;
 use super::mipmap::levels_below;
 use super::object::TextureObject;
 use super::rho_ranges::level_ranges;
-use crate::enums::*;
 use crate::limits::{MAX_TEXTURE_LEVELS, MAX_TEXTURE_LOD_BIAS};
 use crate::num::{clamp_f32, max_f32, min_f32};
 use crate::simd::Stage;
@@ -135,12 +134,6 @@ pub struct UnitUniforms {
     pub compare_func: CompareFunc,
 }
 
-/// Whether a minification filter reads mipmaps.
-#[must_use]
-pub fn is_mipmap_filter(filter: GLenum) -> bool {
-    !matches!(filter, GL_NEAREST | GL_LINEAR)
-}
-
 /// The base level and the last level that a filter of `object` may read (p and q of section 3.8.8): TEXTURE_MAX_LEVEL,
 /// the level of size 1 or the last one that is there, whichever comes first.
 #[must_use]
@@ -148,7 +141,7 @@ pub fn level_range(object: &TextureObject) -> (usize, usize) {
     let p = &object.parameters;
     let top = MAX_TEXTURE_LEVELS as i32 - 1;
     let base = if object.target == Target::Rectangle { 0 } else { p.base_level.clamp(0, top) as usize };
-    let mipmapped = is_mipmap_filter(p.min_filter) && object.target != Target::Rectangle;
+    let mipmapped = p.min_filter.has_mipmaps() && object.target != Target::Rectangle;
     let Some(image) = object.image(0, base).filter(|_| mipmapped) else { return (base, base) };
     let last = (base + levels_below([image.width, image.height, image.depth]))
         .min(p.max_level.clamp(0, top) as usize)
@@ -170,10 +163,8 @@ impl UnitUniforms {
             .collect();
         let size = images.first().map_or([1.0; 3], |image| image.size);
         let unnormalised = object.target == Target::Rectangle;
-        let magnify_below = match (p.mag_filter, p.min_filter) {
-            (GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST | GL_NEAREST_MIPMAP_LINEAR) => 0.5,
-            _ => 0.0,
-        };
+        let sharper = p.mag_filter.is_linear() && p.min_filter.has_mipmaps() && !p.min_filter.is_linear();
+        let magnify_below = if sharper { 0.5 } else { 0.0 };
         let bias = clamp_f32(p.lod_bias + unit_bias, -MAX_TEXTURE_LOD_BIAS, MAX_TEXTURE_LOD_BIAS);
         Self {
             unit,
@@ -188,7 +179,7 @@ impl UnitUniforms {
             last: (last - base) as f32,
             magnify_below,
             level_ranges: level_ranges(bias, p.min_lod, p.max_lod, (last - base) as f32),
-            magnify_nearest: p.mag_filter == GL_NEAREST,
+            magnify_nearest: !p.mag_filter.is_linear(),
             max_taps: max_f32(1.0, min_f32(p.max_anisotropy, crate::limits::MAX_TEXTURE_MAX_ANISOTROPY)).trunc(),
             compare_func: p.compare_func,
         }

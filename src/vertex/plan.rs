@@ -9,7 +9,6 @@ use super::stages::normal::{NORMAL, NORMAL_UNIT, Rescale, normal_matrix};
 use super::stages::triangle_corners::CORNER_POSITIONS;
 use super::stages::{lighting, material, tex_coord, transform};
 use super::uniforms::{LightUniforms, MaterialUniforms, UnitUniforms, VertexUniforms, ViewportUniforms};
-use crate::enums::*;
 use crate::fragment::planes::{Layout, UnitSlots};
 use crate::num;
 use crate::raster::vertex::outcode;
@@ -20,6 +19,7 @@ use crate::state::lighting::ColorControl;
 use crate::state::lighting::MaterialColor;
 use crate::state::lighting::ShadeModel;
 use crate::state::lighting::{Light, Lighting, Material};
+use crate::state::texture::TexGenMode;
 use crate::state::texture::Unit;
 use glam::{DMat4, DVec3};
 
@@ -252,15 +252,17 @@ impl VertexPlan {
         }
         for (c, generation) in source.generation.iter().enumerate().filter(|(c, _)| generated(*c)) {
             let stage = match generation.mode {
-                GL_OBJECT_LINEAR => &tex_coord::GEN_OBJECT,
-                GL_SPHERE_MAP if c < 2 => &tex_coord::GEN_SPHERE,
-                GL_REFLECTION_MAP if c < 3 => &tex_coord::GEN_REFLECTION,
-                GL_NORMAL_MAP if c < 3 => &tex_coord::GEN_NORMAL,
-                _ => &tex_coord::GEN_EYE,
+                // No command lets such a mode in.
+                mode if c >= mode.coordinates() => &tex_coord::GEN_EYE,
+                TexGenMode::ObjectLinear => &tex_coord::GEN_OBJECT,
+                TexGenMode::SphereMap => &tex_coord::GEN_SPHERE,
+                TexGenMode::ReflectionMap => &tex_coord::GEN_REFLECTION,
+                TexGenMode::NormalMap => &tex_coord::GEN_NORMAL,
+                TexGenMode::EyeLinear => &tex_coord::GEN_EYE,
             };
-            r.eye |= generation.mode == GL_EYE_LINEAR;
-            r.normal |= generation.mode == GL_NORMAL_MAP;
-            if matches!(generation.mode, GL_SPHERE_MAP | GL_REFLECTION_MAP) {
+            r.eye |= generation.mode == TexGenMode::EyeLinear;
+            r.normal |= generation.mode == TexGenMode::NormalMap;
+            if matches!(generation.mode, TexGenMode::SphereMap | TexGenMode::ReflectionMap) {
                 (r.point, r.normal, r.reflection) = (true, true, true);
             }
             tail.push(stage, tex_coord::arg(unit, c));
@@ -372,7 +374,7 @@ fn viewport(state: &State) -> ViewportUniforms {
 fn planes(unit: &Unit) -> [[f64; 4]; 4] {
     std::array::from_fn(|c| {
         let g = &unit.generation[c];
-        let plane = if g.mode == GL_OBJECT_LINEAR { g.object_plane } else { g.eye_plane };
+        let plane = if g.mode == TexGenMode::ObjectLinear { g.object_plane } else { g.eye_plane };
         plane.map(|v| if v.is_finite() { v } else { 0.0 })
     })
 }

@@ -10,8 +10,8 @@ use crate::fragment::span::nearest::Copied;
 use crate::fragment::span::sampled::Shown;
 use crate::fragment::span::two_units::Last;
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::state::texture::Env;
-use crate::texture::env::combine::{ColorSource, CombineHalf, Function, Operand};
+use crate::state::texture::{CombineFunction, CombineOperand, Env};
+use crate::texture::env::combine::{ColorSource, CombineHalf};
 use crate::texture::env::{EnvPlan, combine};
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
@@ -35,16 +35,16 @@ enum Leaves {
 
 /// What a half of an environment does, if it is one of the steps that can round at once. `operands` are those that read
 /// the half's own channels.
-fn step(half: &CombineHalf, unit: usize, operands: &[Operand]) -> Option<env_pack::Step> {
+fn step(half: &CombineHalf, unit: usize, operands: &[CombineOperand]) -> Option<env_pack::Step> {
     let args = half.args.get(..half.function.arity())?;
     if half.scale != 1.0 || !args.iter().all(|a| operands.contains(&a.operand)) {
         return None;
     }
     let texel = ColorSource::Texture(unit);
     match (half.function, args) {
-        (Function::Replace, [a]) if a.source == texel => Some(env_pack::Step::Texel),
-        (Function::Replace, [a]) if a.source == ColorSource::Previous => Some(env_pack::Step::Stays),
-        (Function::Modulate, [a, b])
+        (CombineFunction::Replace, [a]) if a.source == texel => Some(env_pack::Step::Texel),
+        (CombineFunction::Replace, [a]) if a.source == ColorSource::Previous => Some(env_pack::Step::Stays),
+        (CombineFunction::Modulate, [a, b])
             if [a.source, b.source] == [texel, ColorSource::Previous]
                 || [a.source, b.source] == [ColorSource::Previous, texel] =>
         {
@@ -264,8 +264,8 @@ impl Builder<'_> {
     fn steps(&self, unit: usize, sampler: &Sampler, enabled: u32) -> Option<[env_pack::Step; 2]> {
         let state = self.state.texture.units.get(unit)?;
         let form = combine(&state.env, sampler.base, unit, |t| t < 32 && enabled >> t & 1 != 0);
-        let color = step(&form.rgb, unit, &[Operand::Color])?;
-        Some([color, step(&form.alpha, unit, &[Operand::Color, Operand::Alpha])?])
+        let color = step(&form.rgb, unit, &[CombineOperand::SrcColor])?;
+        Some([color, step(&form.alpha, unit, &[CombineOperand::SrcColor, CombineOperand::SrcAlpha])?])
     }
 
     /// How the colour leaves texturing where only the alpha test and the store follow. Makes the sampler give packed

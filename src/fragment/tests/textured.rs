@@ -11,7 +11,10 @@ use crate::state::State;
 use crate::state::color_buffer::BlendFactor;
 use crate::state::compare::CompareFunc;
 use crate::state::lighting::ColorControl;
+use crate::state::texture::EnvMode;
 use crate::state::texture::Target;
+use crate::state::texture::TextureFilter;
+use crate::state::texture::WrapMode;
 use crate::texture::format::InternalFormat;
 use crate::texture::image::{Dimensions, Image, Texels};
 use crate::texture::object::TextureObject;
@@ -19,7 +22,13 @@ use crate::texture::sampler::prepare;
 use std::sync::Arc;
 
 /// A complete texture of noise with all levels.
-fn texture(r: &mut Random, format: GLenum, size: [u32; 2], filters: [GLenum; 2], wrap: GLenum) -> TextureObject {
+fn texture(
+    r: &mut Random,
+    format: GLenum,
+    size: [u32; 2],
+    filters: [TextureFilter; 2],
+    wrap: WrapMode,
+) -> TextureObject {
     let mut object = TextureObject::new(Target::D2);
     (object.parameters.min_filter, object.parameters.mag_filter) = (filters[0], filters[1]);
     object.parameters.wrap = [wrap; 3];
@@ -104,14 +113,19 @@ fn textured_programs_leave_out_nothing_that_shows() {
         let mut textures = Vec::new();
         for unit in 0..3 {
             let filters = [
-                r.pick(&[GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_NEAREST]),
-                r.pick(&[GL_NEAREST, GL_LINEAR]),
+                r.pick(&[
+                    TextureFilter::Nearest,
+                    TextureFilter::Linear,
+                    TextureFilter::LinearMipmapLinear,
+                    TextureFilter::LinearMipmapNearest,
+                ]),
+                r.pick(&[TextureFilter::Nearest, TextureFilter::Linear]),
             ];
             let kind = r.pick(&[GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_ALPHA8]);
-            let wrap = r.pick(&[GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT]);
+            let wrap = r.pick(&[WrapMode::Repeat, WrapMode::Clamp, WrapMode::ClampToEdge, WrapMode::MirroredRepeat]);
             let object = texture(&mut r, kind, [16, 8], filters, wrap);
             textures.push((unit == 0 || r.below(3) == 0).then_some(object));
-            let modes = [GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD];
+            let modes = [EnvMode::Replace, EnvMode::Modulate, EnvMode::Decal, EnvMode::Blend, EnvMode::Add];
             state.texture.units[unit].env.mode = r.pick(&modes);
         }
         let units = std::array::from_fn(|u| textures.get(u).and_then(Option::as_ref));
@@ -169,16 +183,21 @@ fn texels_that_become_pixels_at_once_are_the_same() {
         let textures: Vec<_> = (0..count)
             .map(|unit| {
                 let filters = [
-                    GL_NEAREST,
-                    GL_NEAREST_MIPMAP_NEAREST,
-                    GL_NEAREST_MIPMAP_LINEAR,
-                    GL_LINEAR_MIPMAP_NEAREST,
-                    GL_LINEAR_MIPMAP_LINEAR,
+                    TextureFilter::Nearest,
+                    TextureFilter::NearestMipmapNearest,
+                    TextureFilter::NearestMipmapLinear,
+                    TextureFilter::LinearMipmapNearest,
+                    TextureFilter::LinearMipmapLinear,
                 ];
-                let filters = [r.pick(&filters), r.pick(&[GL_NEAREST, GL_NEAREST, GL_LINEAR])];
+                let filters = [
+                    r.pick(&filters),
+                    r.pick(&[TextureFilter::Nearest, TextureFilter::Nearest, TextureFilter::Linear]),
+                ];
                 let kind = r.pick(&[GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_INTENSITY8, GL_ALPHA8]);
-                let wrap = r.pick(&[GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT]);
-                state.texture.units[unit].env.mode = r.pick(&[GL_REPLACE, GL_REPLACE, GL_MODULATE, GL_DECAL]);
+                let wrap =
+                    r.pick(&[WrapMode::Repeat, WrapMode::Clamp, WrapMode::ClampToEdge, WrapMode::MirroredRepeat]);
+                state.texture.units[unit].env.mode =
+                    r.pick(&[EnvMode::Replace, EnvMode::Replace, EnvMode::Modulate, EnvMode::Decal]);
                 let size = r.pick(&[[16, 8], [64, 64], [12, 10], [1, 4]]);
                 let mut object = texture(&mut r, kind, size, filters, wrap);
                 object.parameters.lod_bias = r.pick(&[0.0, -1.5, 2.0]);
@@ -197,7 +216,7 @@ fn texels_that_become_pixels_at_once_are_the_same() {
 /// A complete 3D texture of noise.
 fn volume(r: &mut Random, size: u32) -> TextureObject {
     let mut object = TextureObject::new(Target::D3);
-    (object.parameters.min_filter, object.parameters.mag_filter) = (GL_LINEAR, GL_LINEAR);
+    (object.parameters.min_filter, object.parameters.mag_filter) = (TextureFilter::Linear, TextureFilter::Linear);
     let row = InternalFormat::find(GL_RGB8).unwrap();
     let mut image = Image::new(row, Dimensions::Three, [size; 3], 0).unwrap();
     if let Texels::Rgba8(texels) = &mut image.texels {
@@ -215,7 +234,7 @@ fn whole_runs_give_the_same_bytes_as_batches() {
         let mut state = State::default();
         (state.depth.test, state.depth.mask) = (r.bool(), r.bool());
         state.depth.func = r.pick(&[CompareFunc::Less, CompareFunc::Greater, CompareFunc::Always]);
-        state.texture.units[0].env.mode = r.pick(&[GL_REPLACE, GL_MODULATE]);
+        state.texture.units[0].env.mode = r.pick(&[EnvMode::Replace, EnvMode::Modulate]);
         state.color_buffer.blend = r.below(3) == 0;
         let factors = [
             (BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha),
@@ -227,18 +246,22 @@ fn whole_runs_give_the_same_bytes_as_batches() {
         let format = FramebufferFormat { color_bits: [8, 8, 8, r.pick(&[8, 0])], ..FramebufferFormat::default() };
         let size = r.pick(&[[16, 8], [64, 64], [12, 10], [2, 256]]);
         let filters = r.pick(&[
-            [GL_NEAREST; 2],
-            [GL_LINEAR; 2],
-            [GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST],
-            [GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR],
-            [GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR],
+            [TextureFilter::Nearest; 2],
+            [TextureFilter::Linear; 2],
+            [TextureFilter::NearestMipmapNearest, TextureFilter::Nearest],
+            [TextureFilter::LinearMipmapNearest, TextureFilter::Linear],
+            [TextureFilter::LinearMipmapLinear, TextureFilter::Linear],
         ]);
         let kind = r.pick(&[GL_RGBA8, GL_RGBA8, GL_RGB8]);
         let mut object = match r.below(4) {
             0 => volume(&mut r, [8, 6][case % 2]),
-            _ => texture(&mut r, kind, size, filters, GL_REPEAT),
+            _ => texture(&mut r, kind, size, filters, WrapMode::Repeat),
         };
-        let wraps = [r.pick(&[GL_REPEAT, GL_CLAMP]), r.pick(&[GL_REPEAT, GL_CLAMP_TO_EDGE]), GL_REPEAT];
+        let wraps = [
+            r.pick(&[WrapMode::Repeat, WrapMode::Clamp]),
+            r.pick(&[WrapMode::Repeat, WrapMode::ClampToEdge]),
+            WrapMode::Repeat,
+        ];
         object.parameters.wrap = wraps;
         object.parameters.lod_bias = r.pick(&[0.0, -2.5, 3.0]);
         prepare(&mut object).unwrap();
@@ -260,9 +283,9 @@ fn whole_runs_give_the_same_bytes_as_batches() {
 #[test]
 fn a_texel_a_pixel_is_a_copy() {
     let mut r = Random::new(8);
-    let object = texture(&mut r, GL_RGBA8, [64, 32], [GL_NEAREST; 2], GL_REPEAT);
+    let object = texture(&mut r, GL_RGBA8, [64, 32], [TextureFilter::Nearest; 2], WrapMode::Repeat);
     let mut state = State::default();
-    state.texture.units[0].env.mode = GL_REPLACE;
+    state.texture.units[0].env.mode = EnvMode::Replace;
     let format = FramebufferFormat::default();
     let mut units = [None; 8];
     units[0] = Some(&object);
@@ -293,9 +316,15 @@ fn a_texel_a_pixel_is_a_copy() {
 fn layouts_hold_what_is_needed() {
     let mut r = Random::new(4);
     let format = FramebufferFormat::default();
-    let object = texture(&mut r, GL_RGB8, [16, 16], [GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR], GL_REPEAT);
+    let object = texture(
+        &mut r,
+        GL_RGB8,
+        [16, 16],
+        [TextureFilter::LinearMipmapLinear, TextureFilter::Linear],
+        WrapMode::Repeat,
+    );
     let mut state = State::default();
-    state.texture.units[1].env.mode = GL_DECAL;
+    state.texture.units[1].env.mode = EnvMode::Decal;
     let mut units = [None; 8];
     units[1] = Some(&object);
     let build = |state: &State, q_units| {

@@ -9,6 +9,7 @@
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::num::{clamp01, min_f32};
 use crate::simd::{LANES, stage};
+use crate::state::texture::{CombineFunction, CombineOperand};
 use crate::texture::batch::{Lanes, TexBatch};
 
 /// A stage of an environment plan.
@@ -34,66 +35,20 @@ pub enum ColorSource {
     Previous,
 }
 
-/// How an argument reads its source.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operand {
-    /// The colour (SRC_COLOR), for the alpha half alpha.
-    Color = 0,
-    /// One minus the colour.
-    OneMinusColor = 1,
-    /// Alpha.
-    Alpha = 2,
-    /// One minus alpha.
-    OneMinusAlpha = 3,
-}
-
 /// An argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Argument {
     /// What is read.
     pub source: ColorSource,
     /// How.
-    pub operand: Operand,
-}
-
-/// The functions of COMBINE_RGB and COMBINE_ALPHA.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Function {
-    /// a0
-    Replace,
-    /// a0 a1
-    Modulate,
-    /// a0 + a1
-    Add,
-    /// a0 + a1 - 1/2
-    AddSigned,
-    /// a0 a2 + a1 (1 - a2)
-    Interpolate,
-    /// a0 - a1
-    Subtract,
-    /// 4 times the dot product of a0 - 1/2 and a1 - 1/2, to R, G and B
-    Dot3Rgb,
-    /// The same, to alpha too
-    Dot3Rgba,
-}
-
-impl Function {
-    /// How many arguments it has.
-    #[must_use]
-    pub fn arity(self) -> usize {
-        match self {
-            Function::Replace => 1,
-            Function::Interpolate => 3,
-            _ => 2,
-        }
-    }
+    pub operand: CombineOperand,
 }
 
 /// The colour or the alpha half of an environment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CombineHalf {
     /// The function.
-    pub function: Function,
+    pub function: CombineFunction,
     /// Its arguments; those beyond its arity mean nothing.
     pub args: [Argument; 3],
     /// 1, 2 or 4.

@@ -6,14 +6,13 @@ pub mod combine;
 
 use super::batch::TexBatch;
 use super::format::BaseFormat;
-use crate::enums::*;
 use crate::num::clamp01;
 use crate::simd::{Level, Plan, Stage};
-use crate::state::texture::Env;
+use crate::state::texture::{CombineFunction, CombineOperand, CombineSource, Env, EnvMode};
 use combine::{
     ALPHA, Argument, COMBINE_ADD, COMBINE_ADD_SIGNED, COMBINE_DOT3, COMBINE_INTERPOLATE, COMBINE_MODULATE,
     COMBINE_REPLACE, COMBINE_SUBTRACT, ColorSource, Combine, CombineHalf, ENV_ADD, ENV_ARGUMENT, ENV_INTERPOLATE,
-    ENV_MODULATE, ENV_REPLACE, EnvFn, EnvUniforms, Function, Operand, RGB, argument, direct, function, weighted,
+    ENV_MODULATE, ENV_REPLACE, EnvFn, EnvUniforms, RGB, argument, direct, function, weighted,
 };
 
 /// The environments of all units as a plan.
@@ -25,97 +24,84 @@ pub struct EnvPlan {
     pub uniforms: EnvUniforms,
 }
 
-const fn arg(source: ColorSource, operand: Operand) -> Argument {
+const fn arg(source: ColorSource, operand: CombineOperand) -> Argument {
     Argument { source, operand }
 }
 
-const PREVIOUS: Argument = arg(ColorSource::Previous, Operand::Color);
+const PREVIOUS: Argument = arg(ColorSource::Previous, CombineOperand::SrcColor);
 
-const fn half(function: Function, args: [Argument; 3]) -> CombineHalf {
+const fn half(function: CombineFunction, args: [Argument; 3]) -> CombineHalf {
     CombineHalf { function, args, scale: 1.0 }
 }
 
 /// The half that leaves the colour as it comes.
-const KEEP: CombineHalf = half(Function::Replace, [PREVIOUS; 3]);
+const KEEP: CombineHalf = half(CombineFunction::Replace, [PREVIOUS; 3]);
 
 /// An environment with a texture of this base format, in COMBINE form, for this unit. `enabled` says which units have a
 /// texture: a COMBINE that reads the texture of another unit which has none leaves the colour as it comes.
 #[must_use]
 pub fn combine(env: &Env, base: BaseFormat, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
     use BaseFormat::{Alpha, Intensity, LuminanceAlpha, Rgb, Rgba};
-    let texture = arg(ColorSource::Texture(unit), Operand::Color);
-    let constant = arg(ColorSource::Constant(unit), Operand::Color);
-    let replace = half(Function::Replace, [texture; 3]);
-    let modulate = half(Function::Modulate, [texture, PREVIOUS, PREVIOUS]);
-    let add = half(Function::Add, [texture, PREVIOUS, PREVIOUS]);
-    let blend = half(Function::Interpolate, [constant, PREVIOUS, texture]);
-    let decal = half(Function::Interpolate, [texture, PREVIOUS, arg(ColorSource::Texture(unit), Operand::Alpha)]);
+    let texture = arg(ColorSource::Texture(unit), CombineOperand::SrcColor);
+    let constant = arg(ColorSource::Constant(unit), CombineOperand::SrcColor);
+    let replace = half(CombineFunction::Replace, [texture; 3]);
+    let modulate = half(CombineFunction::Modulate, [texture, PREVIOUS, PREVIOUS]);
+    let add = half(CombineFunction::Add, [texture, PREVIOUS, PREVIOUS]);
+    let blend = half(CombineFunction::Interpolate, [constant, PREVIOUS, texture]);
+    let decal = half(
+        CombineFunction::Interpolate,
+        [texture, PREVIOUS, arg(ColorSource::Texture(unit), CombineOperand::SrcAlpha)],
+    );
     let has_color = base != Alpha;
     let has_alpha = matches!(base, Alpha | LuminanceAlpha | Intensity | Rgba);
     let color = |f: CombineHalf| if has_color { f } else { KEEP };
     let alpha = |f: CombineHalf| if has_alpha { f } else { KEEP };
     let (rgb, alpha) = match env.mode {
-        GL_REPLACE => (color(replace), alpha(replace)),
-        GL_DECAL => match base {
+        EnvMode::Modulate => (color(modulate), alpha(modulate)),
+        EnvMode::Replace => (color(replace), alpha(replace)),
+        EnvMode::Decal => match base {
             Rgb => (replace, KEEP),
             Rgba => (decal, KEEP),
             // The specification leaves the others undefined.
             _ => (KEEP, KEEP),
         },
-        GL_BLEND => (color(blend), if base == Intensity { blend } else { alpha(modulate) }),
-        GL_ADD => (color(add), if base == Intensity { add } else { alpha(modulate) }),
-        GL_COMBINE => return general(env, unit, enabled),
-        _ => (color(modulate), alpha(modulate)),
+        EnvMode::Blend => (color(blend), if base == Intensity { blend } else { alpha(modulate) }),
+        EnvMode::Add => (color(add), if base == Intensity { add } else { alpha(modulate) }),
+        EnvMode::Combine => return general(env, unit, enabled),
     };
     Combine { rgb, alpha }
 }
 
 /// COMBINE itself: its names turned into [`Combine`].
 fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
-    let source = |name: GLenum| match name {
-        GL_TEXTURE => ColorSource::Texture(unit),
-        GL_CONSTANT => ColorSource::Constant(unit),
-        GL_PRIMARY_COLOR => ColorSource::Primary,
-        GL_TEXTURE0..=GL_TEXTURE31 => ColorSource::Texture((name - GL_TEXTURE0) as usize),
-        _ => ColorSource::Previous,
-    };
-    let operand = |name: GLenum| match name {
-        GL_ONE_MINUS_SRC_COLOR => Operand::OneMinusColor,
-        GL_SRC_ALPHA => Operand::Alpha,
-        GL_ONE_MINUS_SRC_ALPHA => Operand::OneMinusAlpha,
-        _ => Operand::Color,
-    };
-    let function = |name: GLenum| match name {
-        GL_MODULATE => Function::Modulate,
-        GL_ADD => Function::Add,
-        GL_ADD_SIGNED => Function::AddSigned,
-        GL_INTERPOLATE => Function::Interpolate,
-        GL_SUBTRACT => Function::Subtract,
-        GL_DOT3_RGB | GL_DOT3_RGB_EXT => Function::Dot3Rgb,
-        GL_DOT3_RGBA | GL_DOT3_RGBA_EXT => Function::Dot3Rgba,
-        _ => Function::Replace,
+    let source = |source: CombineSource| match source {
+        CombineSource::Texture => ColorSource::Texture(unit),
+        CombineSource::Unit(other) => ColorSource::Texture(other),
+        CombineSource::Constant => ColorSource::Constant(unit),
+        CombineSource::PrimaryColor => ColorSource::Primary,
+        CombineSource::Previous => ColorSource::Previous,
     };
     let half = |k: usize| CombineHalf {
-        function: function(env.combine[k]),
-        args: std::array::from_fn(|i| arg(source(env.source[i][k]), operand(env.operand[i][k]))),
+        function: env.combine[k],
+        args: std::array::from_fn(|i| arg(source(env.source[i][k]), env.operand[i][k])),
         scale: env.scale[k],
     };
     let (mut rgb, mut alpha) = (half(0), half(1));
     // The dot products of the EXT extension are not scaled.
-    if matches!(env.combine[0], GL_DOT3_RGB_EXT | GL_DOT3_RGBA_EXT) {
+    if matches!(rgb.function, CombineFunction::Dot3RgbExt | CombineFunction::Dot3RgbaExt) {
         rgb.scale = 1.0;
     }
-    if env.combine[0] == GL_DOT3_RGBA_EXT {
+    if rgb.function == CombineFunction::Dot3RgbaExt {
         alpha.scale = 1.0;
     }
     for argument in &mut alpha.args {
         // Alpha has no colour to read.
         argument.operand = match argument.operand {
-            Operand::Color | Operand::Alpha => Operand::Color,
-            Operand::OneMinusColor | Operand::OneMinusAlpha => Operand::OneMinusColor,
+            CombineOperand::SrcColor | CombineOperand::SrcAlpha => CombineOperand::SrcColor,
+            CombineOperand::OneMinusSrcColor | CombineOperand::OneMinusSrcAlpha => CombineOperand::OneMinusSrcColor,
         };
     }
-    let alpha_used = if rgb.function == Function::Dot3Rgba { 0 } else { alpha.function.arity() };
+    let alpha_used = if rgb.function.gives_alpha() { 0 } else { alpha.function.arity() };
     let mut read = rgb.args[..rgb.function.arity()].iter().chain(&alpha.args[..alpha_used]);
     if read.any(|a| matches!(a.source, ColorSource::Texture(t) if t != unit && !enabled(t))) {
         return Combine { rgb: KEEP, alpha: KEEP };
@@ -141,7 +127,7 @@ impl PartialEq for Direct {
 impl CombineHalf {
     /// The cheap stage that does what this half does, if there is one.
     fn direct(&self) -> Option<Direct> {
-        let plain = |a: &Argument| a.operand == Operand::Color;
+        let plain = |a: &Argument| a.operand == CombineOperand::SrcColor;
         let args = &self.args[..self.function.arity()];
         if self.scale != 1.0 || !args.iter().take(2).all(plain) {
             return None;
@@ -152,34 +138,45 @@ impl CombineHalf {
             (first == ColorSource::Previous || second == ColorSource::Previous) && other != ColorSource::Previous;
         let direct = |stage, source| Some(Direct { stage, source, weight: None });
         match self.function {
-            Function::Replace => direct(&ENV_REPLACE, first),
-            Function::Modulate if onto_previous => direct(&ENV_MODULATE, other),
-            Function::Add if onto_previous => direct(&ENV_ADD, other),
-            Function::Interpolate
+            CombineFunction::Replace => direct(&ENV_REPLACE, first),
+            CombineFunction::Modulate if onto_previous => direct(&ENV_MODULATE, other),
+            CombineFunction::Add if onto_previous => direct(&ENV_ADD, other),
+            CombineFunction::Interpolate
                 if second == ColorSource::Previous
                     && first != ColorSource::Previous
                     && third != ColorSource::Previous =>
             {
                 let of_alpha = match self.args[2].operand {
-                    Operand::Color => false,
-                    Operand::Alpha => true,
-                    _ => return None,
+                    CombineOperand::SrcColor => false,
+                    CombineOperand::SrcAlpha => true,
+                    CombineOperand::OneMinusSrcColor | CombineOperand::OneMinusSrcAlpha => return None,
                 };
                 Some(Direct { stage: &ENV_INTERPOLATE, source: first, weight: Some((third, of_alpha)) })
             }
-            _ => None,
+            CombineFunction::Modulate
+            | CombineFunction::Add
+            | CombineFunction::AddSigned
+            | CombineFunction::Interpolate
+            | CombineFunction::Subtract
+            | CombineFunction::Dot3Rgb
+            | CombineFunction::Dot3Rgba
+            | CombineFunction::Dot3RgbExt
+            | CombineFunction::Dot3RgbaExt => None,
         }
     }
 
     fn stage(&self) -> &'static Stage<EnvFn> {
         match self.function {
-            Function::Replace => &COMBINE_REPLACE,
-            Function::Modulate => &COMBINE_MODULATE,
-            Function::Add => &COMBINE_ADD,
-            Function::AddSigned => &COMBINE_ADD_SIGNED,
-            Function::Interpolate => &COMBINE_INTERPOLATE,
-            Function::Subtract => &COMBINE_SUBTRACT,
-            Function::Dot3Rgb | Function::Dot3Rgba => &COMBINE_DOT3,
+            CombineFunction::Replace => &COMBINE_REPLACE,
+            CombineFunction::Modulate => &COMBINE_MODULATE,
+            CombineFunction::Add => &COMBINE_ADD,
+            CombineFunction::AddSigned => &COMBINE_ADD_SIGNED,
+            CombineFunction::Interpolate => &COMBINE_INTERPOLATE,
+            CombineFunction::Subtract => &COMBINE_SUBTRACT,
+            CombineFunction::Dot3Rgb
+            | CombineFunction::Dot3Rgba
+            | CombineFunction::Dot3RgbExt
+            | CombineFunction::Dot3RgbaExt => &COMBINE_DOT3,
         }
     }
 }
@@ -211,7 +208,7 @@ impl EnvPlan {
     /// Appends the stages of one unit. Of the first unit the colour so far is the primary colour.
     fn push(&mut self, form: &Combine, first: bool, general: bool) {
         let of_first = |source| if first && source == ColorSource::Previous { ColorSource::Primary } else { source };
-        let dot4 = form.rgb.function == Function::Dot3Rgba;
+        let dot4 = form.rgb.function.gives_alpha();
         let direct = |half: &CombineHalf| if general { None } else { half.direct() };
         let (rgb, alpha) = (direct(&form.rgb), if dot4 { None } else { direct(&form.alpha) });
         // Both halves the same: one step does both.
@@ -311,7 +308,7 @@ mod tests {
         first
     }
 
-    fn one(mode: GLenum, base: BaseFormat) -> [f32; 4] {
+    fn one(mode: EnvMode, base: BaseFormat) -> [f32; 4] {
         let env = Env { mode, color: C, ..Env::default() };
         run(&[Some((&env, base))], &[texel(base)])
     }
@@ -335,26 +332,26 @@ mod tests {
                 want_blend[3] = P[3] * t[3];
                 want_add[3] = P[3] * t[3];
             }
-            assert_eq!(one(GL_REPLACE, base), pick(&|c| t[c]), "REPLACE {base:?}");
-            assert_eq!(one(GL_MODULATE, base), pick(&|c| P[c] * t[c]), "MODULATE {base:?}");
-            assert!(close(one(GL_BLEND, base), want_blend), "BLEND {base:?}: {:?}", one(GL_BLEND, base));
-            assert_eq!(one(GL_ADD, base), want_add, "ADD {base:?}");
+            assert_eq!(one(EnvMode::Replace, base), pick(&|c| t[c]), "REPLACE {base:?}");
+            assert_eq!(one(EnvMode::Modulate, base), pick(&|c| P[c] * t[c]), "MODULATE {base:?}");
+            assert!(close(one(EnvMode::Blend, base), want_blend), "BLEND {base:?}: {:?}", one(EnvMode::Blend, base));
+            assert_eq!(one(EnvMode::Add, base), want_add, "ADD {base:?}");
             let want_decal = match base {
                 Rgb => [t[0], t[1], t[2], P[3]],
                 Rgba => [0, 1, 2, 3].map(|c| if c < 3 { P[c] * (1.0 - t[3]) + t[c] * t[3] } else { P[3] }),
                 _ => P,
             };
-            assert!(close(one(GL_DECAL, base), want_decal), "DECAL {base:?}");
+            assert!(close(one(EnvMode::Decal, base), want_decal), "DECAL {base:?}");
         }
     }
 
-    fn combine_env(rgb: GLenum, alpha: GLenum) -> Env {
+    fn combine_env(rgb: CombineFunction, alpha: CombineFunction) -> Env {
         Env {
-            mode: GL_COMBINE,
+            mode: EnvMode::Combine,
             color: C,
             combine: [rgb, alpha],
-            source: [[GL_TEXTURE; 2], [GL_PRIMARY_COLOR; 2], [GL_CONSTANT; 2]],
-            operand: [[GL_SRC_COLOR, GL_SRC_ALPHA]; 3],
+            source: [[CombineSource::Texture; 2], [CombineSource::PrimaryColor; 2], [CombineSource::Constant; 2]],
+            operand: [[CombineOperand::SrcColor, CombineOperand::SrcAlpha]; 3],
             ..Env::default()
         }
     }
@@ -364,13 +361,13 @@ mod tests {
         let t = texel(Rgba);
         let dot = 4.0 * (0..3).map(|c| (t[c] - 0.5) * (P[c] - 0.5)).sum::<f32>();
         type F = fn(f32, f32, f32) -> f32;
-        let table: [(GLenum, F); 6] = [
-            (GL_REPLACE, |a, _, _| a),
-            (GL_MODULATE, |a, b, _| a * b),
-            (GL_ADD, |a, b, _| a + b),
-            (GL_ADD_SIGNED, |a, b, _| a + b - 0.5),
-            (GL_INTERPOLATE, |a, b, c| a * c + b * (1.0 - c)),
-            (GL_SUBTRACT, |a, b, _| a - b),
+        let table: [(CombineFunction, F); 6] = [
+            (CombineFunction::Replace, |a, _, _| a),
+            (CombineFunction::Modulate, |a, b, _| a * b),
+            (CombineFunction::Add, |a, b, _| a + b),
+            (CombineFunction::AddSigned, |a, b, _| a + b - 0.5),
+            (CombineFunction::Interpolate, |a, b, c| a * c + b * (1.0 - c)),
+            (CombineFunction::Subtract, |a, b, _| a - b),
         ];
         for k in [1.0, 2.0, 4.0] {
             for (name, f) in table {
@@ -380,15 +377,15 @@ mod tests {
                         let v = if c < 3 { f(t[c], P[c], C[c]) * k } else { g(t[c], P[c], C[c]) };
                         v.clamp(0.0, 1.0)
                     });
-                    assert!(close(run(&[Some((&env, Rgba))], &[t]), want), "{name:x} {other:x} times {k}");
+                    assert!(close(run(&[Some((&env, Rgba))], &[t]), want), "{name:?} {other:?} times {k}");
                 }
             }
-            let env = Env { scale: [k, 2.0], ..combine_env(GL_DOT3_RGB, GL_REPLACE) };
+            let env = Env { scale: [k, 2.0], ..combine_env(CombineFunction::Dot3Rgb, CombineFunction::Replace) };
             let d = (dot * k).clamp(0.0, 1.0);
             assert!(close(run(&[Some((&env, Rgba))], &[t]), [d, d, d, 1.0]));
-            let env = Env { scale: [k, 2.0], ..combine_env(GL_DOT3_RGBA, GL_REPLACE) };
+            let env = Env { scale: [k, 2.0], ..combine_env(CombineFunction::Dot3Rgba, CombineFunction::Replace) };
             assert!(close(run(&[Some((&env, Rgba))], &[t]), [d, d, d, (dot * 2.0).clamp(0.0, 1.0)]));
-            let env = Env { scale: [k, 2.0], ..combine_env(GL_DOT3_RGBA_EXT, GL_REPLACE) };
+            let env = Env { scale: [k, 2.0], ..combine_env(CombineFunction::Dot3RgbaExt, CombineFunction::Replace) };
             assert!(close(run(&[Some((&env, Rgba))], &[t]), [dot.clamp(0.0, 1.0); 4]), "not scaled");
         }
     }
@@ -396,23 +393,23 @@ mod tests {
     #[test]
     fn operands_and_the_crossbar_follow_the_tables() {
         let t = texel(Rgba);
-        let mut env = combine_env(GL_REPLACE, GL_REPLACE);
+        let mut env = combine_env(CombineFunction::Replace, CombineFunction::Replace);
         for (operand, want) in [
-            (GL_SRC_COLOR, [t[0], t[1], t[2]]),
-            (GL_ONE_MINUS_SRC_COLOR, [1.0 - t[0], 1.0 - t[1], 1.0 - t[2]]),
-            (GL_SRC_ALPHA, [t[3]; 3]),
-            (GL_ONE_MINUS_SRC_ALPHA, [1.0 - t[3]; 3]),
+            (CombineOperand::SrcColor, [t[0], t[1], t[2]]),
+            (CombineOperand::OneMinusSrcColor, [1.0 - t[0], 1.0 - t[1], 1.0 - t[2]]),
+            (CombineOperand::SrcAlpha, [t[3]; 3]),
+            (CombineOperand::OneMinusSrcAlpha, [1.0 - t[3]; 3]),
         ] {
-            env.operand[0] = [operand, GL_ONE_MINUS_SRC_ALPHA];
+            env.operand[0] = [operand, CombineOperand::OneMinusSrcAlpha];
             assert_eq!(run(&[Some((&env, Rgba))], &[t]), [want[0], want[1], want[2], 1.0 - t[3]]);
         }
         // Unit 0 reads the texture of unit 1, and unit 1 that of unit 0.
         let u = [0.125, 0.25, 0.375, 0.5];
-        let mut first = combine_env(GL_REPLACE, GL_REPLACE);
-        first.source[0] = [GL_TEXTURE1; 2];
-        let mut second = combine_env(GL_MODULATE, GL_MODULATE);
-        second.source[0] = [GL_TEXTURE0; 2];
-        second.source[1] = [GL_PREVIOUS; 2];
+        let mut first = combine_env(CombineFunction::Replace, CombineFunction::Replace);
+        first.source[0] = [CombineSource::Unit(1); 2];
+        let mut second = combine_env(CombineFunction::Modulate, CombineFunction::Modulate);
+        second.source[0] = [CombineSource::Unit(0); 2];
+        second.source[1] = [CombineSource::Previous; 2];
         let got = run(&[Some((&first, Rgba)), Some((&second, Rgba))], &[t, u]);
         assert!(close(got, std::array::from_fn(|c| t[c] * u[c])));
         // A texture that is not there leaves the colour as it comes.
@@ -424,7 +421,7 @@ mod tests {
     #[test]
     fn units_follow_each_other_and_gaps_do_not_matter() {
         let modulate = Env::default();
-        let add = Env { mode: GL_ADD, ..Env::default() };
+        let add = Env { mode: EnvMode::Add, ..Env::default() };
         let t = texel(Rgba);
         let got = run(
             &[None, Some((&modulate, Rgba)), None, Some((&add, Rgb))],
@@ -441,10 +438,10 @@ mod tests {
             let plan = EnvPlan::build_until(Level::Baseline, &[Some((&env, base))], 1, false);
             plan.plan.names().collect::<Vec<_>>()
         };
-        assert_eq!(steps(GL_REPLACE, Rgba), ["ENV_REPLACE"]);
-        assert_eq!(steps(GL_MODULATE, Rgba), ["ENV_MODULATE"]);
-        assert_eq!(steps(GL_MODULATE, Rgb), ["ENV_MODULATE", "ENV_REPLACE"]);
-        let env = Env { mode: GL_COMBINE, ..Env::default() };
+        assert_eq!(steps(EnvMode::Replace, Rgba), ["ENV_REPLACE"]);
+        assert_eq!(steps(EnvMode::Modulate, Rgba), ["ENV_MODULATE"]);
+        assert_eq!(steps(EnvMode::Modulate, Rgb), ["ENV_MODULATE", "ENV_REPLACE"]);
+        let env = Env { mode: EnvMode::Combine, ..Env::default() };
         let plan = EnvPlan::build_until(Level::Baseline, &[Some((&env, Rgba))], 1, false);
         assert_eq!(plan.plan.steps.len(), 1, "COMBINE with its initial values is MODULATE");
         let env = Env { scale: [2.0, 1.0], ..env };

@@ -5,10 +5,10 @@
 //! go together.) r is limited to 0..1 first, as the depths are. The third coordinate is r for 1D and 2D textures alike.
 
 use super::float::{each_lane, neighbours};
-use crate::enums::*;
 use crate::num::clamp01;
 use crate::simd::{Cost, LANES, Stage};
 use crate::state::compare::CompareFunc;
+use crate::state::texture::DepthTextureMode;
 use crate::texture::batch::{Lanes, TexBatch};
 use crate::texture::filter::{SECOND, destination, lerp};
 use crate::texture::format::BaseFormat;
@@ -31,11 +31,11 @@ pub fn mode(base: BaseFormat) -> u32 {
 
 /// The base format that a depth texture has for environments.
 #[must_use]
-pub fn base_format(depth_mode: GLenum) -> BaseFormat {
+pub fn base_format(depth_mode: DepthTextureMode) -> BaseFormat {
     match depth_mode {
-        GL_INTENSITY => BaseFormat::Intensity,
-        GL_ALPHA => BaseFormat::Alpha,
-        _ => BaseFormat::Luminance,
+        DepthTextureMode::Luminance => BaseFormat::Luminance,
+        DepthTextureMode::Intensity => BaseFormat::Intensity,
+        DepthTextureMode::Alpha => BaseFormat::Alpha,
     }
 }
 
@@ -149,14 +149,18 @@ pub fn stage(dims: usize, linear: bool, compare: bool) -> &'static Stage<TexFn> 
 mod tests {
     use crate::enums::*;
     use crate::state::compare::CompareFunc;
+    use crate::state::texture::DepthTextureMode;
     use crate::state::texture::Target;
+    use crate::state::texture::TextureCompareMode;
+    use crate::state::texture::TextureFilter;
+    use crate::state::texture::WrapMode;
     use crate::texture::object::TextureObject;
     use crate::texture::tests::support::*;
 
     /// Depths 0, 1/4, 1/2, 3/4 by column.
-    fn depths(mode: GLenum, filter: GLenum) -> TextureObject {
+    fn depths(mode: DepthTextureMode, filter: TextureFilter) -> TextureObject {
         let mut o = object(Target::D2, GL_DEPTH_COMPONENT24, [4, 4, 1], 1, |_, _, [i, ..]| [0.25 * i as f32; 4]);
-        o.parameters.wrap = [GL_CLAMP_TO_EDGE; 3];
+        o.parameters.wrap = [WrapMode::ClampToEdge; 3];
         o.parameters.depth_mode = mode;
         (o.parameters.min_filter, o.parameters.mag_filter) = (filter, filter);
         o
@@ -164,13 +168,18 @@ mod tests {
 
     #[test]
     fn depths_are_read_as_the_mode_says() {
-        for (mode, want) in
-            [(GL_LUMINANCE, [0.5, 0.5, 0.5, 1.0]), (GL_INTENSITY, [0.5; 4]), (GL_ALPHA, [0.0, 0.0, 0.0, 0.5])]
-        {
-            assert_eq!(sample(&depths(mode, GL_NEAREST), &[at(0.6, 0.5, 0.9)])[0], want);
-            assert_eq!(sample(&depths(mode, GL_LINEAR), &[at(0.625, 0.5, 0.9)])[0], want);
+        for (mode, want) in [
+            (DepthTextureMode::Luminance, [0.5, 0.5, 0.5, 1.0]),
+            (DepthTextureMode::Intensity, [0.5; 4]),
+            (DepthTextureMode::Alpha, [0.0, 0.0, 0.0, 0.5]),
+        ] {
+            assert_eq!(sample(&depths(mode, TextureFilter::Nearest), &[at(0.6, 0.5, 0.9)])[0], want);
+            assert_eq!(sample(&depths(mode, TextureFilter::Linear), &[at(0.625, 0.5, 0.9)])[0], want);
         }
-        assert_eq!(sample(&depths(GL_INTENSITY, GL_LINEAR), &[at(0.5, 0.5, 0.0)])[0], [0.375; 4]);
+        assert_eq!(
+            sample(&depths(DepthTextureMode::Intensity, TextureFilter::Linear), &[at(0.5, 0.5, 0.0)])[0],
+            [0.375; 4]
+        );
     }
 
     #[test]
@@ -186,27 +195,29 @@ mod tests {
             (CompareFunc::Gequal, [0.0, 1.0, 1.0]),
             (CompareFunc::Always, [1.0, 1.0, 1.0]),
         ];
-        for filter in [GL_NEAREST, GL_LINEAR] {
+        for filter in [TextureFilter::Nearest, TextureFilter::Linear] {
             for (func, want) in table {
-                let mut o = depths(GL_INTENSITY, filter);
-                (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, func);
+                let mut o = depths(DepthTextureMode::Intensity, filter);
+                (o.parameters.compare_mode, o.parameters.compare_func) = (TextureCompareMode::CompareRToTexture, func);
                 let points = [0.4, 0.5, 0.6].map(|r| at(0.625, 0.5, r));
                 let got: Vec<f32> = sample(&o, &points).iter().map(|c| c[0]).collect();
-                assert_eq!(got, want, "{func:?} {filter:x}");
+                assert_eq!(got, want, "{func:?} {filter:?}");
             }
         }
     }
 
     #[test]
     fn linear_blends_comparisons_and_not_depths() {
-        let mut o = depths(GL_INTENSITY, GL_LINEAR);
-        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, CompareFunc::Lequal);
+        let mut o = depths(DepthTextureMode::Intensity, TextureFilter::Linear);
+        (o.parameters.compare_mode, o.parameters.compare_func) =
+            (TextureCompareMode::CompareRToTexture, CompareFunc::Lequal);
         // Between the columns of 1/4 and 1/2, three quarters of the way: r = 0.3 passes in the second only.
         assert_eq!(sample(&o, &[at(0.5 - 0.0625, 0.5, 0.3)])[0][0], 0.25);
         assert_eq!(sample(&o, &[at(0.5625, 0.5, 0.3)])[0][0], 0.75);
         // r is limited to 0..1: beyond 1 it equals a depth of 1.
         let mut o = object(Target::D1, GL_DEPTH_COMPONENT24, [2, 1, 1], 1, |_, _, _| [1.0; 4]);
-        (o.parameters.compare_mode, o.parameters.compare_func) = (GL_COMPARE_R_TO_TEXTURE, CompareFunc::Equal);
+        (o.parameters.compare_mode, o.parameters.compare_func) =
+            (TextureCompareMode::CompareRToTexture, CompareFunc::Equal);
         assert_eq!(
             sample(&o, &[at(0.2, 0.0, 7.0), at(0.2, 0.0, 0.99)]).iter().map(|c| c[0]).collect::<Vec<_>>(),
             [1.0, 0.0]

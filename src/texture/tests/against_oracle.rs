@@ -9,7 +9,11 @@ use crate::enums::*;
 use crate::limits::MAX_TEXTURE_LOD_BIAS;
 use crate::simd::{LANES, Level};
 use crate::state::compare::CompareFunc;
+use crate::state::texture::DepthTextureMode;
 use crate::state::texture::Target;
+use crate::state::texture::TextureCompareMode;
+use crate::state::texture::TextureFilter;
+use crate::state::texture::WrapMode;
 use crate::texture::batch::TexBatch;
 use crate::texture::format::InternalFormat;
 use crate::texture::image::{Dimensions, Image, Texels};
@@ -36,23 +40,23 @@ impl Random {
     }
 }
 
-const WRAPS: [GLenum; 8] = [
-    GL_REPEAT,
-    GL_CLAMP,
-    GL_CLAMP_TO_EDGE,
-    GL_CLAMP_TO_BORDER,
-    GL_MIRRORED_REPEAT,
-    GL_MIRROR_CLAMP_EXT,
-    GL_MIRROR_CLAMP_TO_EDGE_EXT,
-    GL_MIRROR_CLAMP_TO_BORDER_EXT,
+const WRAPS: [WrapMode; 8] = [
+    WrapMode::Repeat,
+    WrapMode::Clamp,
+    WrapMode::ClampToEdge,
+    WrapMode::ClampToBorder,
+    WrapMode::MirroredRepeat,
+    WrapMode::MirrorClamp,
+    WrapMode::MirrorClampToEdge,
+    WrapMode::MirrorClampToBorder,
 ];
-const MIN: [GLenum; 6] = [
-    GL_NEAREST,
-    GL_LINEAR,
-    GL_NEAREST_MIPMAP_NEAREST,
-    GL_LINEAR_MIPMAP_NEAREST,
-    GL_NEAREST_MIPMAP_LINEAR,
-    GL_LINEAR_MIPMAP_LINEAR,
+const MIN: [TextureFilter; 6] = [
+    TextureFilter::Nearest,
+    TextureFilter::Linear,
+    TextureFilter::NearestMipmapNearest,
+    TextureFilter::LinearMipmapNearest,
+    TextureFilter::NearestMipmapLinear,
+    TextureFilter::LinearMipmapLinear,
 ];
 
 /// A texture twice: as an object of the crate and as the oracle has it.
@@ -126,7 +130,7 @@ fn texture(random: &mut Random, target: Target, depth: bool) -> Pair {
     let border = random.bits();
     p.border_color = border.to_le_bytes().map(|c| f32::from(c) / 255.0);
     p.min_filter = random.of(if rectangle { &MIN[..2] } else { &MIN[..] });
-    p.mag_filter = random.of(&[GL_NEAREST, GL_LINEAR]);
+    p.mag_filter = random.of(&[TextureFilter::Nearest, TextureFilter::Linear]);
     if random.bits().is_multiple_of(3) {
         (p.min_lod, p.max_lod) = (random.within(-1.0, 2.0) as f32, random.within(2.0, 4.0) as f32);
     }
@@ -137,24 +141,26 @@ fn texture(random: &mut Random, target: Target, depth: bool) -> Pair {
         p.max_level = random.of(&[1000, 1000, 2]).max(p.base_level);
     }
     // The crate filters anisotropically where the filter within a level is linear and there are mipmaps.
-    if p.mag_filter == GL_LINEAR && matches!(p.min_filter, GL_LINEAR_MIPMAP_LINEAR | GL_LINEAR_MIPMAP_NEAREST) {
+    if p.mag_filter == TextureFilter::Linear
+        && matches!(p.min_filter, TextureFilter::LinearMipmapLinear | TextureFilter::LinearMipmapNearest)
+    {
         p.max_anisotropy = random.of(&[1.0, 2.0, 5.0, 16.0]);
     }
     if depth {
-        p.depth_mode = random.of(&[GL_LUMINANCE, GL_INTENSITY, GL_ALPHA]);
+        p.depth_mode = random.of(&[DepthTextureMode::Luminance, DepthTextureMode::Intensity, DepthTextureMode::Alpha]);
         let funcs = [GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER];
         if random.bits().is_multiple_of(2) {
-            p.compare_mode = GL_COMPARE_R_TO_TEXTURE;
+            p.compare_mode = TextureCompareMode::CompareRToTexture;
             let func = random.of(&funcs);
             p.compare_func = CompareFunc::from_gl(func).unwrap();
             oracle.compare = Some(func);
         }
     }
-    oracle.wrap = p.wrap;
+    oracle.wrap = p.wrap.map(WrapMode::gl);
     oracle.border_color = p.border_color.map(f64::from);
-    oracle.depth_mode = p.depth_mode;
+    oracle.depth_mode = p.depth_mode.gl();
     let l = &mut oracle.lod;
-    (l.min_filter, l.mag_filter) = (p.min_filter, p.mag_filter);
+    (l.min_filter, l.mag_filter) = (p.min_filter.gl(), p.mag_filter.gl());
     (l.min_lod, l.max_lod) = (f64::from(p.min_lod), f64::from(p.max_lod));
     (l.object_bias, l.unit_bias) = (f64::from(p.lod_bias), f64::from(unit_bias));
     l.max_bias = f64::from(MAX_TEXTURE_LOD_BIAS);
@@ -174,9 +180,12 @@ fn at_a_jump(pair: &Pair, s: &Sampled, at: [f64; 3], dx: [f64; 3], dy: [f64; 3])
         return true;
     }
     let near = |a: f64| (a - a.round()).abs() < 2e-4;
-    let level_jumps = matches!(p.min_filter, GL_NEAREST_MIPMAP_NEAREST | GL_LINEAR_MIPMAP_NEAREST);
-    let kinds_differ = (p.mag_filter == GL_LINEAR)
-        != matches!(p.min_filter, GL_LINEAR | GL_LINEAR_MIPMAP_NEAREST | GL_LINEAR_MIPMAP_LINEAR);
+    let level_jumps = matches!(p.min_filter, TextureFilter::NearestMipmapNearest | TextureFilter::LinearMipmapNearest);
+    let kinds_differ = (p.mag_filter == TextureFilter::Linear)
+        != matches!(
+            p.min_filter,
+            TextureFilter::Linear | TextureFilter::LinearMipmapNearest | TextureFilter::LinearMipmapLinear
+        );
     let limits = s.lambda == f64::from(p.min_lod) || s.lambda == f64::from(p.max_lod);
     if !limits && (level_jumps && near(s.lambda - 0.5) || kinds_differ && near(2.0 * s.lambda)) {
         return true;
@@ -197,7 +206,7 @@ fn at_a_jump(pair: &Pair, s: &Sampled, at: [f64; 3], dx: [f64; 3], dy: [f64; 3])
         return (ratio - ratio.round()).abs() < 0.005 || pair.object.target == Target::Cube && ratio < 64.0;
     }
     // An EQUAL comparison may hang on the last bit of r.
-    p.compare_mode != GL_NONE && ((at[2] * 16.0) - (at[2] * 16.0).round()).abs() < 1e-6
+    p.compare_mode != TextureCompareMode::None && ((at[2] * 16.0) - (at[2] * 16.0).round()).abs() < 1e-6
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::enums::*;
 use crate::pixels::{ClientImage, PixelFormat, Transfer, format};
 use crate::simd::Level;
 use crate::state::pixel::PixelStore;
+use crate::state::texture::WrapMode;
 use crate::texture::format::BlockFit;
 use crate::texture::format::{BaseFormat, FORMATS, InternalFormat, Storage};
 use crate::texture::image::{Dimensions, Image, Texels};
@@ -15,7 +16,7 @@ fn find(name: GLenum) -> &'static InternalFormat {
     InternalFormat::find(name).unwrap()
 }
 
-fn padding_key(wraps: [GLenum; 3], border_color: [f32; 4]) -> PaddingKey {
+fn padding_key(wraps: [WrapMode; 3], border_color: [f32; 4]) -> PaddingKey {
     PaddingKey::new(wraps.map(|mode| wrap::row(mode).padding), border_color)
 }
 
@@ -212,7 +213,12 @@ fn the_border_is_data() {
             let len = image.get_tex_image_bytes(&PixelStore::TIGHT, pair.0, pair.1).unwrap();
             assert_eq!(len, bytes.len());
             let mut padded = image.clone();
-            padded.fill_padding(&padding_key([GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT], [1.0; 4])).unwrap();
+            padded
+                .fill_padding(&padding_key(
+                    [WrapMode::Repeat, WrapMode::ClampToEdge, WrapMode::MirroredRepeat],
+                    [1.0; 4],
+                ))
+                .unwrap();
             for image in [image, padded] {
                 let mut out = vec![0; len];
                 image.get_tex_image(&PixelStore::TIGHT, pair.0, pair.1, &mut out).unwrap();
@@ -240,7 +246,7 @@ fn wrapped(i: i32, n: i32, pad: Padding) -> Option<i32> {
 
 #[test]
 fn the_ring_is_what_the_wraps_ask_for() {
-    let wraps = [GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP, GL_MIRROR_CLAMP_TO_BORDER_EXT];
+    let wraps = [WrapMode::Repeat, WrapMode::ClampToEdge, WrapMode::Clamp, WrapMode::MirrorClampToBorder];
     let cases = [
         (Dimensions::One, [4, 1, 1]),
         (Dimensions::One, [1, 1, 1]),
@@ -273,7 +279,7 @@ fn the_ring_is_what_the_wraps_ask_for() {
                     };
                     let got = image.texel(i, j, k);
                     let channels = if format == GL_DEPTH_COMPONENT24 { 3 } else { 4 };
-                    assert_eq!(got[..channels], want[..channels], "{dimensions:?} {border} {wrap:x?} {i} {j} {k}");
+                    assert_eq!(got[..channels], want[..channels], "{dimensions:?} {border} {wrap:?} {i} {j} {k}");
                 }
             }
         }
@@ -284,14 +290,14 @@ fn the_ring_is_what_the_wraps_ask_for() {
 fn writing_forgets_the_padding_and_keeps_the_border() {
     let (mut image, _) = noisy(GL_RGBA8, Dimensions::Two, [6, 6, 1], 1);
     let border = image.texel(-1, 2, 0);
-    image.fill_padding(&padding_key([GL_REPEAT; 3], [0.0; 4])).unwrap();
+    image.fill_padding(&padding_key([WrapMode::Repeat; 3], [0.0; 4])).unwrap();
     assert_ne!(image.texel(-1, 2, 0), border);
     image.upload([0, 0, 0], &rgba(&[9; 4], [1, 1, 1]), Transfer::NEUTRAL).unwrap();
     assert_eq!((image.texel(-1, 2, 0), image.texel(0, 0, 0)), (border, [9.0 / 255.0; 4]));
     image.upload([-1, 2, 0], &rgba(&[8; 4], [1, 1, 1]), Transfer::NEUTRAL).unwrap();
     assert_eq!(image.texel(-1, 2, 0), [8.0 / 255.0; 4]);
     let (mut image, _) = noisy(GL_RGBA8, Dimensions::Two, [4, 4, 1], 0);
-    let key = padding_key([GL_REPEAT; 3], [0.0; 4]);
+    let key = padding_key([WrapMode::Repeat; 3], [0.0; 4]);
     image.fill_padding(&key).unwrap();
     image.write_rgba8([0, 0, 0], &[u32::MAX], Transfer::NEUTRAL);
     assert!(!image.is_padded_for(&key));
@@ -334,7 +340,7 @@ fn absurd_sizes_are_out_of_memory() {
     let empty = Image::new(find(GL_RGBA), Dimensions::Two, [0, 5, 1], 0).unwrap();
     assert!(empty.is_null());
     let mut empty = empty;
-    empty.fill_padding(&padding_key([GL_REPEAT; 3], [0.0; 4])).unwrap();
+    empty.fill_padding(&padding_key([WrapMode::Repeat; 3], [0.0; 4])).unwrap();
     assert!(mipmap::levels(&empty, 5, Level::Baseline, &mut []).unwrap().is_empty());
     let mut out = [];
     empty.get_tex_image(&PixelStore::TIGHT, GL_RGBA, GL_FLOAT, &mut out).unwrap();

@@ -5,32 +5,34 @@ use super::support::*;
 use crate::enums::*;
 use crate::simd::Level;
 use crate::state::texture::Target;
+use crate::state::texture::TextureFilter;
+use crate::state::texture::WrapMode;
 use crate::texture::sampler::Sampler;
 
-const WRAPS: [GLenum; 8] = [
-    GL_REPEAT,
-    GL_CLAMP,
-    GL_CLAMP_TO_EDGE,
-    GL_CLAMP_TO_BORDER,
-    GL_MIRRORED_REPEAT,
-    GL_MIRROR_CLAMP_EXT,
-    GL_MIRROR_CLAMP_TO_EDGE_EXT,
-    GL_MIRROR_CLAMP_TO_BORDER_EXT,
+const WRAPS: [WrapMode; 8] = [
+    WrapMode::Repeat,
+    WrapMode::Clamp,
+    WrapMode::ClampToEdge,
+    WrapMode::ClampToBorder,
+    WrapMode::MirroredRepeat,
+    WrapMode::MirrorClamp,
+    WrapMode::MirrorClampToEdge,
+    WrapMode::MirrorClampToBorder,
 ];
 
-const FILTERS: [(GLenum, GLenum); 12] = [
-    (GL_NEAREST, GL_NEAREST),
-    (GL_LINEAR, GL_LINEAR),
-    (GL_NEAREST, GL_LINEAR),
-    (GL_LINEAR, GL_NEAREST),
-    (GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST),
-    (GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR),
-    (GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR),
-    (GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST),
-    (GL_NEAREST_MIPMAP_LINEAR, GL_NEAREST),
-    (GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR),
-    (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR),
-    (GL_LINEAR_MIPMAP_LINEAR, GL_NEAREST),
+const FILTERS: [(TextureFilter, TextureFilter); 12] = [
+    (TextureFilter::Nearest, TextureFilter::Nearest),
+    (TextureFilter::Linear, TextureFilter::Linear),
+    (TextureFilter::Nearest, TextureFilter::Linear),
+    (TextureFilter::Linear, TextureFilter::Nearest),
+    (TextureFilter::NearestMipmapNearest, TextureFilter::Nearest),
+    (TextureFilter::NearestMipmapNearest, TextureFilter::Linear),
+    (TextureFilter::LinearMipmapNearest, TextureFilter::Linear),
+    (TextureFilter::LinearMipmapNearest, TextureFilter::Nearest),
+    (TextureFilter::NearestMipmapLinear, TextureFilter::Nearest),
+    (TextureFilter::NearestMipmapLinear, TextureFilter::Linear),
+    (TextureFilter::LinearMipmapLinear, TextureFilter::Linear),
+    (TextureFilter::LinearMipmapLinear, TextureFilter::Nearest),
 ];
 
 /// Coordinates that have broken samplers before, and infinities and NaN.
@@ -60,7 +62,7 @@ fn a_constant_texture_stays_constant_whatever_the_coordinate() {
                     o.parameters.max_anisotropy = aniso;
                     let want = (200.0 * crate::texture::filter::INV_255).to_bits();
                     for (p, color) in points.iter().zip(sample(&o, &points)) {
-                        assert_eq!(color.map(f32::to_bits), [want; 4], "{target:?} {wrap:x} {min:x} {mag:x} {p:?}");
+                        assert_eq!(color.map(f32::to_bits), [want; 4], "{target:?} {wrap:?} {min:?} {mag:?} {p:?}");
                     }
                 }
             }
@@ -83,7 +85,10 @@ fn what_is_sampled_lies_within_the_texels() {
     for (size, levels) in [([5, 3, 2], 3), ([8, 8, 8], 4), ([1, 1, 1], 1), ([1, 7, 1], 3)] {
         for target in [Target::D1, Target::D2, Target::D3] {
             for wrap in WRAPS {
-                for (min, mag) in [(GL_LINEAR, GL_LINEAR), (GL_LINEAR_MIPMAP_LINEAR, GL_NEAREST)] {
+                for (min, mag) in [
+                    (TextureFilter::Linear, TextureFilter::Linear),
+                    (TextureFilter::LinearMipmapLinear, TextureFilter::Nearest),
+                ] {
                     let mut o = object(target, GL_RGBA8, size, levels, |_, l, [i, j, k]| {
                         grey(60 + (i * 37 + j * 71 + k * 11 + l as i32 * 5) % 100)
                     });
@@ -92,7 +97,7 @@ fn what_is_sampled_lies_within_the_texels() {
                     (o.parameters.min_filter, o.parameters.mag_filter) = (min, mag);
                     for (p, color) in points.iter().zip(sample(&o, &points)) {
                         let v = color[0] * 255.0;
-                        assert!((59.9999..159.0001).contains(&v), "{target:?} {size:?} {wrap:x} {p:?}: {v}");
+                        assert!((59.9999..159.0001).contains(&v), "{target:?} {size:?} {wrap:?} {p:?}: {v}");
                     }
                 }
             }
@@ -101,7 +106,7 @@ fn what_is_sampled_lies_within_the_texels() {
 }
 
 /// Texel i of a row is 10 i; the border 200.
-fn row(n: u32, wrap: GLenum, filter: GLenum) -> crate::texture::object::TextureObject {
+fn row(n: u32, wrap: WrapMode, filter: TextureFilter) -> crate::texture::object::TextureObject {
     let mut o = object(Target::D1, GL_LUMINANCE8, [n, 1, 1], 1, |_, _, [i, ..]| grey(10 * i));
     o.parameters.border_color = grey(200);
     o.parameters.wrap = [wrap; 3];
@@ -132,7 +137,11 @@ fn nearest_reads_the_texel_that_each_wrap_says() {
     ];
     for (s, texels) in table {
         for (wrap, texel) in WRAPS.into_iter().zip(texels) {
-            assert_eq!(red(&row(8, wrap, GL_NEAREST), at(s, 0.0, 0.0)), 10.0 * texel as f32, "{wrap:x} s {s}");
+            assert_eq!(
+                red(&row(8, wrap, TextureFilter::Nearest), at(s, 0.0, 0.0)),
+                10.0 * texel as f32,
+                "{wrap:?} s {s}"
+            );
         }
     }
 }
@@ -141,35 +150,35 @@ fn nearest_reads_the_texel_that_each_wrap_says() {
 fn linear_blends_the_texels_that_each_wrap_says() {
     // At the centre of texel i, and at the ends; what is beyond an end by wrap.
     for wrap in WRAPS {
-        let o = row(8, wrap, GL_LINEAR);
+        let o = row(8, wrap, TextureFilter::Linear);
         for i in 0..8 {
-            assert_eq!(red(&o, at((i as f32 + 0.5) / 8.0, 0.0, 0.0)), 10.0 * i as f32, "{wrap:x}");
+            assert_eq!(red(&o, at((i as f32 + 0.5) / 8.0, 0.0, 0.0)), 10.0 * i as f32, "{wrap:?}");
         }
         assert_eq!(red(&o, at(0.5, 0.0, 0.0)), 35.0);
         assert_eq!(red(&o, at(0.28125, 0.0, 0.0)), 17.5);
     }
     // s = 0, s = 1, s = -0.0625 (half a texel beyond), s = 1.0625.
-    let table: [(GLenum, [f32; 4]); 8] = [
-        (GL_REPEAT, [35.0, 35.0, 70.0, 0.0]),
-        (GL_CLAMP, [100.0, 135.0, 100.0, 135.0]),
-        (GL_CLAMP_TO_EDGE, [0.0, 70.0, 0.0, 70.0]),
-        (GL_CLAMP_TO_BORDER, [100.0, 135.0, 200.0, 200.0]),
-        (GL_MIRRORED_REPEAT, [0.0, 70.0, 0.0, 70.0]),
-        (GL_MIRROR_CLAMP_EXT, [0.0, 135.0, 0.0, 135.0]),
-        (GL_MIRROR_CLAMP_TO_EDGE_EXT, [0.0, 70.0, 0.0, 70.0]),
-        (GL_MIRROR_CLAMP_TO_BORDER_EXT, [0.0, 135.0, 0.0, 200.0]),
+    let table: [(WrapMode, [f32; 4]); 8] = [
+        (WrapMode::Repeat, [35.0, 35.0, 70.0, 0.0]),
+        (WrapMode::Clamp, [100.0, 135.0, 100.0, 135.0]),
+        (WrapMode::ClampToEdge, [0.0, 70.0, 0.0, 70.0]),
+        (WrapMode::ClampToBorder, [100.0, 135.0, 200.0, 200.0]),
+        (WrapMode::MirroredRepeat, [0.0, 70.0, 0.0, 70.0]),
+        (WrapMode::MirrorClamp, [0.0, 135.0, 0.0, 135.0]),
+        (WrapMode::MirrorClampToEdge, [0.0, 70.0, 0.0, 70.0]),
+        (WrapMode::MirrorClampToBorder, [0.0, 135.0, 0.0, 200.0]),
     ];
     for (wrap, values) in table {
         for (s, want) in [0.0, 1.0, -0.0625, 1.0625].into_iter().zip(values) {
-            assert_eq!(red(&row(8, wrap, GL_LINEAR), at(s, 0.0, 0.0)), want, "{wrap:x} s {s}");
+            assert_eq!(red(&row(8, wrap, TextureFilter::Linear), at(s, 0.0, 0.0)), want, "{wrap:?} s {s}");
         }
     }
 }
 
 #[test]
 fn huge_coordinates_repeat_as_the_exact_rational_does() {
-    let repeat = row(8, GL_REPEAT, GL_NEAREST);
-    let mirror = row(8, GL_MIRRORED_REPEAT, GL_NEAREST);
+    let repeat = row(8, WrapMode::Repeat, TextureFilter::Nearest);
+    let mirror = row(8, WrapMode::MirroredRepeat, TextureFilter::Nearest);
     let mut x = 0.37f32;
     for _ in 0..2000 {
         x = -x * 1.021;
@@ -197,13 +206,13 @@ fn bilinear_and_3d_filters_weigh_by_distance() {
     let plane = |_: usize, _: usize, [i, j, k]: [i32; 3]| grey(10 * i + 40 * j + 100 * k);
     for format in [GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8, GL_INTENSITY8] {
         let mut o = object(Target::D2, format, [4, 4, 1], 1, plane);
-        o.parameters.wrap = [GL_CLAMP_TO_EDGE; 3];
-        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR, GL_LINEAR);
+        o.parameters.wrap = [WrapMode::ClampToEdge; 3];
+        (o.parameters.min_filter, o.parameters.mag_filter) = (TextureFilter::Linear, TextureFilter::Linear);
         assert_eq!(red(&o, at(0.5, 0.5, 0.0)), 15.0 + 60.0);
         assert_eq!(red(&o, at(0.1875, 0.4375, 0.0)), 2.5 + 50.0);
         let mut o = object(Target::D3, format, [4, 4, 2], 1, plane);
-        o.parameters.wrap = [GL_CLAMP_TO_EDGE; 3];
-        (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR, GL_LINEAR);
+        o.parameters.wrap = [WrapMode::ClampToEdge; 3];
+        (o.parameters.min_filter, o.parameters.mag_filter) = (TextureFilter::Linear, TextureFilter::Linear);
         assert_eq!(red(&o, at(0.5, 0.1875, 0.5)), 15.0 + 10.0 + 50.0);
         assert_eq!(red(&o, at(0.5, 0.1875, 0.375)), 15.0 + 10.0 + 25.0);
     }
@@ -229,7 +238,7 @@ fn every_base_format_expands_in_every_filter() {
                 let p = with_lambda(at(0.3, 0.4, 0.6), 1.3, 4.0);
                 let got = sample(&o, &[p])[0];
                 for c in 0..4 {
-                    assert!((got[c] - want[c]).abs() < 2e-7, "{format:x} {target:?} {min:x} {mag:x}: {got:?}");
+                    assert!((got[c] - want[c]).abs() < 2e-7, "{format:x} {target:?} {min:?} {mag:?}: {got:?}");
                 }
             }
         }
@@ -237,7 +246,7 @@ fn every_base_format_expands_in_every_filter() {
 }
 
 /// Level l of an object is grey of 10 + 40 l, so that the colour tells the level.
-fn levels(min: GLenum, mag: GLenum) -> crate::texture::object::TextureObject {
+fn levels(min: TextureFilter, mag: TextureFilter) -> crate::texture::object::TextureObject {
     let mut o = object(Target::D2, GL_LUMINANCE8, [32, 32, 1], 6, |_, l, _| grey(10 + 40 * l as i32));
     (o.parameters.min_filter, o.parameters.mag_filter) = (min, mag);
     o
@@ -249,7 +258,10 @@ fn level_at(o: &crate::texture::object::TextureObject, lambda: f64) -> f32 {
 
 #[test]
 fn mipmap_nearest_takes_the_nearest_level_and_the_finer_of_two() {
-    for (min, mag) in [(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST), (GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR)] {
+    for (min, mag) in [
+        (TextureFilter::NearestMipmapNearest, TextureFilter::Nearest),
+        (TextureFilter::LinearMipmapNearest, TextureFilter::Linear),
+    ] {
         let o = levels(min, mag);
         for (lambda, level) in
             [(-3.0, 0.0), (0.0, 0.0), (0.49, 0.0), (0.51, 1.0), (1.0, 1.0), (1.49, 1.0), (1.51, 2.0), (4.6, 5.0)]
@@ -267,7 +279,10 @@ fn mipmap_nearest_takes_the_nearest_level_and_the_finer_of_two() {
 
 #[test]
 fn mipmap_linear_blends_by_the_fraction() {
-    for (min, mag) in [(GL_NEAREST_MIPMAP_LINEAR, GL_NEAREST), (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR)] {
+    for (min, mag) in [
+        (TextureFilter::NearestMipmapLinear, TextureFilter::Nearest),
+        (TextureFilter::LinearMipmapLinear, TextureFilter::Linear),
+    ] {
         let o = levels(min, mag);
         for lambda in [-2.0, 0.0, 0.25, 0.5, 1.0, 2.75, 4.5, 5.0, 9.0] {
             let want = f64::clamp(lambda, 0.0, 5.0) as f32;
@@ -278,19 +293,19 @@ fn mipmap_linear_blends_by_the_fraction() {
 
 #[test]
 fn base_and_max_level_and_the_limits_of_lambda_hold() {
-    let mut o = levels(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    let mut o = levels(TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
     o.parameters.base_level = 1;
     // Lambda counts from the base level, whose size is 16.
     assert!((level_at(&o, 2.0) - 2.0).abs() < 1e-4);
     o.parameters.max_level = 3;
     assert!((level_at(&o, 9.0) - 3.0).abs() < 1e-4);
-    let mut o = levels(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    let mut o = levels(TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
     (o.parameters.min_lod, o.parameters.max_lod) = (1.5, 2.25);
     assert!((level_at(&o, 0.0) - 1.5).abs() < 1e-4);
     assert!((level_at(&o, 4.0) - 2.25).abs() < 1e-4);
     (o.parameters.min_lod, o.parameters.max_lod) = (2.0, 1.0);
     assert!((level_at(&o, 0.0) - 2.0).abs() < 1e-4);
-    let mut o = levels(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    let mut o = levels(TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
     o.parameters.lod_bias = 1.0;
     let p = with_lambda(at(0.51, 0.52, 0.0), 1.0, 32.0);
     assert!((sample_with_bias(&o, &[p], 1.5)[0][0] * 255.0 - 10.0 - 40.0 * 3.5).abs() < 1e-2);
@@ -307,21 +322,21 @@ fn magnification_begins_at_the_threshold_of_the_filters() {
         o
     };
     let value = |o: &_, lambda| red(o, with_lambda(at(0.5, 0.5, 0.0), lambda, 4.0));
-    let o = make(GL_NEAREST, GL_LINEAR);
+    let o = make(TextureFilter::Nearest, TextureFilter::Linear);
     assert_eq!((value(&o, -0.01), value(&o, 0.01)), (50.0, 0.0));
-    let o = make(GL_LINEAR, GL_NEAREST);
+    let o = make(TextureFilter::Linear, TextureFilter::Nearest);
     assert_eq!((value(&o, -0.01), value(&o, 0.01)), (0.0, 50.0));
-    for min in [GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR] {
-        let o = make(min, GL_LINEAR);
+    for min in [TextureFilter::NearestMipmapNearest, TextureFilter::NearestMipmapLinear] {
+        let o = make(min, TextureFilter::Linear);
         assert_eq!(value(&o, 0.49), 50.0, "c is 1/2 here");
         // Minified: nearest texels, 0 on level 0 and 100 on level 1.
-        let blends = min == GL_NEAREST_MIPMAP_LINEAR;
+        let blends = min == TextureFilter::NearestMipmapLinear;
         assert!((value(&o, 0.51) - if blends { 51.0 } else { 100.0 }).abs() < 0.01);
-        let o = make(min, GL_NEAREST);
+        let o = make(min, TextureFilter::Nearest);
         assert!((value(&o, 0.4) - if blends { 40.0 } else { 0.0 }).abs() < 0.01, "c is 0 here");
     }
-    for min in [GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR] {
-        let o = make(min, GL_NEAREST);
+    for min in [TextureFilter::LinearMipmapNearest, TextureFilter::LinearMipmapLinear] {
+        let o = make(min, TextureFilter::Nearest);
         assert_eq!((value(&o, -0.01), value(&o, 0.01)), (0.0, 50.0), "c is 0 here");
     }
 }
@@ -350,7 +365,7 @@ fn lanes_do_not_change_each_other() {
                 let together = sample(&o, &points);
                 for (p, together) in points.iter().zip(together) {
                     let alone = sample(&o, &[*p])[0];
-                    assert_eq!(alone.map(f32::to_bits), together.map(f32::to_bits), "{target:?} {min:x} {mag:x} {p:?}");
+                    assert_eq!(alone.map(f32::to_bits), together.map(f32::to_bits), "{target:?} {min:?} {mag:?} {p:?}");
                 }
             }
         }
@@ -386,16 +401,16 @@ fn rectangles_count_texels() {
     let mut o = object(Target::Rectangle, GL_LUMINANCE8, [5, 3, 1], 1, |_, _, [i, j, _]| grey(10 * i + 60 * j));
     assert_eq!(red(&o, at(2.5, 1.5, 0.0)), 80.0);
     assert_eq!(red(&o, at(99.0, -1.0, 0.0)), 40.0);
-    (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR, GL_LINEAR);
+    (o.parameters.min_filter, o.parameters.mag_filter) = (TextureFilter::Linear, TextureFilter::Linear);
     assert_eq!(red(&o, at(2.0, 1.5, 0.0)), 75.0);
-    o.parameters.wrap = [GL_CLAMP; 3];
+    o.parameters.wrap = [WrapMode::Clamp; 3];
     o.parameters.border_color = grey(240);
     assert_eq!(red(&o, at(5.0, 1.5, 0.0)), 170.0);
 }
 
 #[test]
 fn borders_of_images_are_sampled_by_clamping_wraps() {
-    let mut o = row(4, GL_CLAMP_TO_BORDER, GL_NEAREST);
+    let mut o = row(4, WrapMode::ClampToBorder, TextureFilter::Nearest);
     let mut image = crate::texture::image::Image::new(
         crate::texture::format::InternalFormat::find(GL_LUMINANCE8).unwrap(),
         crate::texture::image::Dimensions::One,
@@ -409,10 +424,10 @@ fn borders_of_images_are_sampled_by_clamping_wraps() {
     o.faces[0][0] = Some(std::sync::Arc::new(image));
     assert_eq!(red(&o, at(-0.2, 0.0, 0.0)), 90.0);
     assert_eq!(red(&o, at(1.2, 0.0, 0.0)), 140.0);
-    o.parameters.wrap = [GL_REPEAT; 3];
+    o.parameters.wrap = [WrapMode::Repeat; 3];
     assert_eq!(red(&o, at(1.1, 0.0, 0.0)), 100.0);
-    o.parameters.wrap = [GL_CLAMP; 3];
-    (o.parameters.min_filter, o.parameters.mag_filter) = (GL_LINEAR, GL_LINEAR);
+    o.parameters.wrap = [WrapMode::Clamp; 3];
+    (o.parameters.min_filter, o.parameters.mag_filter) = (TextureFilter::Linear, TextureFilter::Linear);
     assert_eq!(red(&o, at(0.0, 0.0, 0.0)), 95.0);
 }
 
@@ -421,14 +436,14 @@ fn nothing_is_asked_for_that_is_not_needed() {
     let names =
         |o: &_| Sampler::build(Level::Baseline, o, 0.0, 0).plan.steps.iter().map(|s| s.id.name()).collect::<Vec<_>>();
     let needs = |o: &_| Sampler::build(Level::Baseline, o, 0.0, 0).needs;
-    let o = levels(GL_LINEAR, GL_LINEAR);
+    let o = levels(TextureFilter::Linear, TextureFilter::Linear);
     assert_eq!(names(&o), ["BILINEAR_2D_LUMINANCE"]);
     assert!(!needs(&o).derivatives);
-    let mut o = levels(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    let mut o = levels(TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
     assert!(needs(&o).derivatives);
     o.parameters.max_level = 0;
     assert!(!needs(&o).derivatives, "one level");
-    o = levels(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    o = levels(TextureFilter::LinearMipmapLinear, TextureFilter::Linear);
     (o.parameters.min_lod, o.parameters.max_lod) = (2.0, 2.0);
     assert!(!needs(&o).derivatives, "constant lambda");
     assert!((level_at(&o, 0.0) - 2.0).abs() < 1e-4);
@@ -436,7 +451,7 @@ fn nothing_is_asked_for_that_is_not_needed() {
     assert!(needs(&o).derivatives, "nearly constant is not constant");
     (o.parameters.min_lod, o.parameters.max_lod) = (-5.0, 0.0);
     assert!(!needs(&o).derivatives, "always magnified");
-    let o = levels(GL_NEAREST, GL_LINEAR);
+    let o = levels(TextureFilter::Nearest, TextureFilter::Linear);
     assert!(needs(&o).derivatives, "magnification must be known");
     assert_eq!(needs(&o).period, [1, 1, 0]);
     assert_eq!(needs(&o).size, [32, 32, 1]);

@@ -4,6 +4,7 @@
 use crate::enums::*;
 use crate::simd::{LANES, Level};
 use crate::state::texture::Target;
+use crate::state::texture::TextureFilter;
 use crate::texture::batch::TexBatch;
 use crate::texture::format::InternalFormat;
 use crate::texture::image::{Dimensions, Image, Texels};
@@ -73,8 +74,8 @@ pub fn object(
             o.faces[face][level] = Some(Arc::new(image));
         }
     }
-    o.parameters.min_filter = GL_NEAREST;
-    o.parameters.mag_filter = GL_NEAREST;
+    o.parameters.min_filter = TextureFilter::Nearest;
+    o.parameters.mag_filter = TextureFilter::Nearest;
     o
 }
 

@@ -159,8 +159,8 @@ fn pair(x: f32) -> (u32, f32) {
 mod tests {
     use super::super::general::tests::both;
     use super::*;
-    use crate::enums::{GL_CLAMP, GL_REPEAT};
     use crate::simd::LANES;
+    use crate::state::texture::WrapMode;
 
     const ANYWHERE: CoordBounds = CoordBounds { least: f32::NEG_INFINITY, limit: f32::INFINITY };
 
@@ -183,7 +183,7 @@ mod tests {
                 else {
                     continue;
                 };
-                let ((i, w), j) = both(GL_REPEAT, s, n);
+                let ((i, w), j) = both(WrapMode::Repeat, s, n);
                 let (first, weight) = linear(form, s, n);
                 assert!(first == i && weight == w.to_bits(), "{s:e} of {n}: {first}, not {i}");
                 assert_eq!(nearest.index(s), j.cast_unsigned(), "{s:e} of {n}");
@@ -191,7 +191,7 @@ mod tests {
             for n in [1.0f32, 2.0, 3.0, 100.0, 8191.0, 8192.0] {
                 for range in [range, ANYWHERE] {
                     let clamps = NearestWrap::new(false, range.limit, n).unwrap();
-                    let ((i, w), j) = both(GL_CLAMP, s, n);
+                    let ((i, w), j) = both(WrapMode::Clamp, s, n);
                     assert_eq!(clamps.index(s), j.cast_unsigned(), "{s:e} of {n}");
                     let form = LinearWrap::new(false, range, n, n).unwrap();
                     assert_eq!(linear(form, s, n), (i, w.to_bits()), "{s:e} of {n}");

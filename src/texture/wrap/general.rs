@@ -243,24 +243,24 @@ sampler_stages! {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::enums::*;
+    use crate::state::texture::WrapMode;
 
     /// The linear and the nearest result of a wrap mode.
-    pub fn both(wrap: GLenum, s: f32, n: f32) -> ((i32, f32), i32) {
+    pub fn both(wrap: WrapMode, s: f32, n: f32) -> ((i32, f32), i32) {
         let x: fn(f32, f32, f32) -> f32 = match wrap {
-            GL_CLAMP | GL_CLAMP_TO_EDGE => clamp,
-            GL_CLAMP_TO_BORDER => border,
-            GL_MIRRORED_REPEAT => mirrored,
-            GL_MIRROR_CLAMP_EXT | GL_MIRROR_CLAMP_TO_EDGE_EXT => mirror_clamp,
-            GL_MIRROR_CLAMP_TO_BORDER_EXT => mirror_border,
+            WrapMode::Clamp | WrapMode::ClampToEdge => clamp,
+            WrapMode::ClampToBorder => border,
+            WrapMode::MirroredRepeat => mirrored,
+            WrapMode::MirrorClamp | WrapMode::MirrorClampToEdge => mirror_clamp,
+            WrapMode::MirrorClampToBorder => mirror_border,
             _ => repeat,
         };
         let x = x(s, n, n);
         match wrap {
-            GL_CLAMP_TO_BORDER | GL_MIRROR_CLAMP_TO_BORDER_EXT => {
+            WrapMode::ClampToBorder | WrapMode::MirrorClampToBorder => {
                 (linear::<TO_BORDER>(x, n), nearest::<TO_BORDER>(x, n))
             }
-            GL_REPEAT => (linear::<AROUND>(x, n), nearest::<AROUND>(x, n)),
+            WrapMode::Repeat => (linear::<AROUND>(x, n), nearest::<AROUND>(x, n)),
             _ => (linear::<TO_EDGE>(x, n), nearest::<TO_EDGE>(x, n)),
         }
     }
@@ -268,12 +268,12 @@ pub(super) mod tests {
     #[test]
     fn every_float_gives_an_index_in_range() {
         let wraps = [
-            GL_REPEAT,
-            GL_CLAMP,
-            GL_CLAMP_TO_BORDER,
-            GL_MIRRORED_REPEAT,
-            GL_MIRROR_CLAMP_EXT,
-            GL_MIRROR_CLAMP_TO_BORDER_EXT,
+            WrapMode::Repeat,
+            WrapMode::Clamp,
+            WrapMode::ClampToBorder,
+            WrapMode::MirroredRepeat,
+            WrapMode::MirrorClamp,
+            WrapMode::MirrorClampToBorder,
         ];
         // Every 40,009th bit pattern: all magnitudes, both signs, infinities and NaNs.
         let patterns = (0..=u32::MAX).step_by(40_009).map(f32::from_bits);
@@ -282,11 +282,11 @@ pub(super) mod tests {
             for wrap in wraps {
                 for n in [1.0, 2.0, 3.0, 7.0, 100.0, 256.0, 8192.0] {
                     let ((i, w), j) = both(wrap, s, n);
-                    assert!((-1..n as i32).contains(&i), "{wrap:x} {s:e} of {n}: {i}");
-                    assert!((0.0..=1.0).contains(&w), "{wrap:x} {s:e} of {n}: weight {w}");
-                    assert!((-1..=n as i32).contains(&j), "{wrap:x} {s:e} of {n}: nearest {j}");
-                    if matches!(wrap, GL_CLAMP | GL_MIRRORED_REPEAT | GL_MIRROR_CLAMP_EXT) {
-                        assert!((0..n as i32).contains(&j), "{wrap:x} {s:e} of {n}: nearest {j}");
+                    assert!((-1..n as i32).contains(&i), "{wrap:?} {s:e} of {n}: {i}");
+                    assert!((0.0..=1.0).contains(&w), "{wrap:?} {s:e} of {n}: weight {w}");
+                    assert!((-1..=n as i32).contains(&j), "{wrap:?} {s:e} of {n}: nearest {j}");
+                    if matches!(wrap, WrapMode::Clamp | WrapMode::MirroredRepeat | WrapMode::MirrorClamp) {
+                        assert!((0..n as i32).contains(&j), "{wrap:?} {s:e} of {n}: nearest {j}");
                     }
                 }
             }
@@ -298,7 +298,7 @@ pub(super) mod tests {
         for bits in (0..=0x7f7f_ffffu32).step_by(9973) {
             for s in [f32::from_bits(bits), -f32::from_bits(bits)] {
                 let exact = (f64::from(s) * 256.0).floor().rem_euclid(256.0) as i32;
-                assert_eq!(both(GL_REPEAT, s, 256.0).1 & 255, exact, "{s:e}");
+                assert_eq!(both(WrapMode::Repeat, s, 256.0).1 & 255, exact, "{s:e}");
             }
         }
     }

@@ -2,13 +2,13 @@
 //! batch cut gives the same bits.
 
 use super::*;
-use crate::enums::*;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::fog::FogCoordSource;
 use crate::state::lighting::ColorControl;
 use crate::state::lighting::MaterialColor;
 use crate::state::lighting::ShadeModel;
 use crate::state::raster::Face;
+use crate::state::texture::TexGenMode;
 use crate::vertex::batch::MAX_SLOTS;
 use glam::DMat4;
 
@@ -96,8 +96,7 @@ impl Random {
             *s.transform.texture[unit].top_mut() = self.matrix();
             for generation in &mut s.texture.units[unit].generation {
                 generation.enabled = self.chance(2);
-                generation.mode =
-                    self.pick(&[GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP]);
+                generation.mode = self.pick(&TexGenMode::ALL);
                 generation.object_plane = self.wide();
                 generation.eye_plane = self.wide();
             }

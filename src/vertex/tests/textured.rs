@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::enums::*;
+use crate::state::texture::TexGenMode;
 use glam::{DMat4, DVec3};
 
 fn coordinates(state: &State, layout: &Layout, given: Given) -> Vec<f32> {
@@ -10,7 +11,7 @@ fn coordinates(state: &State, layout: &Layout, given: Given) -> Vec<f32> {
     slots.clone()
 }
 
-fn generated(mode: GLenum) -> State {
+fn generated(mode: TexGenMode) -> State {
     let mut state = plain_state();
     for generation in &mut state.texture.units[0].generation {
         generation.enabled = true;
@@ -39,10 +40,10 @@ fn given_coordinates_pass_and_the_matrix_turns_them() {
 
 #[test]
 fn linear_planes() {
-    let mut state = generated(GL_OBJECT_LINEAR);
+    let mut state = generated(TexGenMode::ObjectLinear);
     state.texture.units[0].generation[0].object_plane = [1.0, 2.0, 4.0, 8.0];
     assert_eq!(coordinates(&state, &tex_layout(), given()), [7.0, 0.25, 0.0, 0.0]);
-    let mut state = generated(GL_EYE_LINEAR);
+    let mut state = generated(TexGenMode::EyeLinear);
     *state.transform.modelview.top_mut() = DMat4::from_translation(DVec3::new(0.25, 0.0, 0.0));
     assert_eq!(coordinates(&state, &tex_layout(), given()), [0.75, 0.25, 0.0, 0.0]);
     // Only s is generated: the others are the program's.
@@ -54,10 +55,10 @@ fn linear_planes() {
 
 #[test]
 fn maps_of_the_normal_and_the_reflection() {
-    let mut state = generated(GL_NORMAL_MAP);
+    let mut state = generated(TexGenMode::NormalMap);
     state.texture.units[0].generation[3].enabled = false;
     assert_eq!(coordinates(&state, &tex_layout(), given()), [0.0, 0.6, 0.8, 4.0]);
-    let mut state = generated(GL_REFLECTION_MAP);
+    let mut state = generated(TexGenMode::ReflectionMap);
     state.texture.units[0].generation[3].enabled = false;
     // u = (0.5, 0.25, -0.5) / 0.75; n . u = 0.2 - 0.5333 = -1/3; r = u + 2/3 n.
     let got = coordinates(&state, &tex_layout(), given());
@@ -65,7 +66,7 @@ fn maps_of_the_normal_and_the_reflection() {
     for (g, w) in got.iter().zip(want) {
         assert!((g - w).abs() < 1e-6, "{got:?} {want:?}");
     }
-    let mut state = generated(GL_SPHERE_MAP);
+    let mut state = generated(TexGenMode::SphereMap);
     state.texture.units[0].generation[2].enabled = false;
     state.texture.units[0].generation[3].enabled = false;
     let got = coordinates(&state, &tex_layout(), given());
@@ -75,7 +76,7 @@ fn maps_of_the_normal_and_the_reflection() {
 
 #[test]
 fn the_point_opposite_the_sphere_map_and_the_eye_itself_are_defined() {
-    let mut state = generated(GL_SPHERE_MAP);
+    let mut state = generated(TexGenMode::SphereMap);
     state.texture.units[0].generation[2].enabled = false;
     state.texture.units[0].generation[3].enabled = false;
     // r = u = (0, 0, -1): no normal.
