@@ -1,11 +1,13 @@
 //! The same bytes everywhere: the pictures of the gallery, the scenes of the benchmark and work of other kinds are drawn at
 //! every instruction set that the processor has, with 1, 2 and 7 threads, with two batch cuts and by the plan that leaves
 //! nothing out; colours, depths and stencil values must not differ in one bit. Their hashes are kept in `tests/golden/`,
-//! so that other processors and later versions are held to them too; `FIXEDGL_BLESS=1 cargo test --test invariance`
-//! writes the files anew after a deliberate change (look at the pictures first).
+//! so that other processors and later versions are held to them too; `FIXEDGL_BLESS=1 cargo test --test invariance
+//! kept` writes the files anew after a deliberate change (look at the pictures first).
 
 #[path = "golden/bench.rs"]
 mod bench;
+#[path = "elision/mod.rs"]
+mod elision;
 #[path = "support/everywhere.rs"]
 mod everywhere;
 #[path = "golden/scenes.rs"]

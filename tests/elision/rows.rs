@@ -1,7 +1,7 @@
 //! Each row of the [table](super::table): its work is left out where it may be, done in the near miss, and both give the
 //! bytes of the general plan.
 
-use crate::table::{Draw, ROWS, Row, Work};
+use super::table::{Draw, ROWS, Row, Work};
 use fixedgl::Config;
 use fixedgl::Context;
 use fixedgl::enums::*;

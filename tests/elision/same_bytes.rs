@@ -1,8 +1,8 @@
 //! The property: whatever the state and the primitives, the plan that leaves things out and the general plan leave the
 //! same bytes in all buffers.
 
-use crate::random::Random;
-use crate::states::{primitive, state, textures};
+use super::random::Random;
+use super::states::{primitive, state, textures};
 use fixedgl::Config;
 use fixedgl::Context;
 use fixedgl::SimdLevel;
@@ -97,7 +97,7 @@ fn cases(round: u64, levels: &[SimdLevel]) -> u64 {
         drawn += u64::from(found.0.chunks(4).any(|p| p != &found.0[..4]));
     }
     assert_eq!((a.check(), b.check()), (Ok(()), Ok(())));
-    assert_eq!(wrong, 0, "FIXEDGL_CASE=n cargo test --test elision one_case -- --nocapture draws a case in words");
+    assert_eq!(wrong, 0, "FIXEDGL_CASE=n cargo test --test invariance one_case -- --nocapture draws a case in words");
     drawn
 }
 

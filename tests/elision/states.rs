@@ -1,7 +1,7 @@
 //! Random states. Values are picked where a plan decides something: exact zeros and ones, equal w, factors that cancel,
 //! tests that always pass, coordinates inside and outside of [0, 1]; and among them values that only nearly are.
 
-use crate::random::Random;
+use super::random::Random;
 use fixedgl::Context;
 use fixedgl::enums::*;
 

@@ -1,10 +1,16 @@
 //! The tests of the specification: one module a chapter, each from the initial state to a small picture, with the f64
-//! oracle of `tests/oracle` as the judge of numbers. The figures that are measured are printed with `--nocapture`.
+//! oracle of `tests/oracle` as the judge of numbers. The figures that are measured are printed with `--nocapture`. What
+//! needs the oracle as well is in the same program, since each one that is linked takes its time.
 
+#[path = "../support/everywhere.rs"]
+mod everywhere;
 #[path = "../oracle/mod.rs"]
 mod oracle;
 #[path = "../support/mod.rs"]
 mod support;
+
+#[path = "../stability/mod.rs"]
+mod stability;
 
 mod absurd;
 mod anisotropy;
@@ -13,12 +19,15 @@ mod attrib;
 mod blend;
 mod clip;
 mod combine;
+mod commands;
 mod cube;
+mod display_lists;
 mod env;
 mod errors;
 mod everything;
 mod filter;
 mod fog;
+mod fuzz;
 mod glu;
 mod glu_numbers;
 mod lighting;

@@ -1,10 +1,10 @@
 //! Clipping and w (OpenGL 1.5, section 2.12): planes far apart, vertices behind the eye, at infinity, far outside of the
 //! guard band; edges that are cut must be the same for both triangles that share them.
 
-use crate::common::{any_size, bytes, counting, counts, emit, everywhere, floats, read};
 use crate::oracle::scene::Scene;
 use crate::oracle::vertex::Vertex;
-use crate::row::{Worst, rows};
+use crate::stability::common::{any_size, bytes, counting, counts, emit, everywhere, floats, read};
+use crate::stability::row::{Worst, rows};
 use crate::support::bridge::as_given;
 use crate::support::{Random, no_error};
 use fixedgl::Context;
@@ -104,7 +104,7 @@ fn attributes_at_extreme_w(w: &mut Worst) {
             v
         }));
         w.fuzzed += 1;
-        crate::common::against_oracle(w, &scene, &format!("triangle {round}"));
+        crate::stability::common::against_oracle(w, &scene, &format!("triangle {round}"));
     }
 }
 

@@ -3,7 +3,7 @@
 
 use crate::everywhere::{reference, variants};
 use crate::oracle::scene::Scene;
-use crate::row::Worst;
+use crate::stability::row::Worst;
 use crate::support::bridge::{self, as_given};
 use crate::support::{Random, no_error};
 use fixedgl::Config;

@@ -1,10 +1,10 @@
 //! Texture coordinates (OpenGL 1.5, sections 3.5.1 and 3.8.7): far out, at texel boundaries, tiny, no numbers at all,
 //! divided by a q that is 0 or negative somewhere.
 
-use crate::common::{any_size, cover, everywhere, float_config, floats, read, window_coordinates};
 use crate::oracle::raster::{Triangle, Window};
 use crate::oracle::texel::{Image as OracleImage, Texture, nearest_index, wrapped};
-use crate::row::{Worst, rows};
+use crate::stability::common::{any_size, cover, everywhere, float_config, floats, read, window_coordinates};
+use crate::stability::row::{Worst, rows};
 use crate::support::Random;
 use fixedgl::enums::*;
 use fixedgl::{Config, Context, SimdLevel};

@@ -1,10 +1,10 @@
 //! Depth, fog, blending and the rest of the way into the framebuffer (OpenGL 1.5, sections 3.5.5, 3.10 and chapter 4):
 //! infinite slopes, undefined fog, every pair of bytes, many frames in one.
 
-use crate::common::{any_size, bytes, cover, everywhere, floats, read, window_coordinates};
 use crate::oracle::fragment::Fog;
 use crate::oracle::matrix::M4;
-use crate::row::{Worst, rows};
+use crate::stability::common::{any_size, bytes, cover, everywhere, floats, read, window_coordinates};
+use crate::stability::row::{Worst, rows};
 use crate::support::{Random, no_error, raises};
 use fixedgl::Context;
 use fixedgl::enums::*;

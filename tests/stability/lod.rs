@@ -1,8 +1,8 @@
 //! Level of detail (OpenGL 1.5, section 3.8.8). A pyramid whose level d has the value 16 d shows lambda as a colour: the
 //! trilinear mixture of 16 d and 16 (d + 1) is 16 lambda, and a framebuffer of floats keeps it to 1e-6.
 
-use crate::common::{bytes, cover, everywhere, floats, read};
-use crate::row::{Worst, rows};
+use crate::stability::common::{bytes, cover, everywhere, floats, read};
+use crate::stability::row::{Worst, rows};
 use crate::support::{Random, no_error};
 use fixedgl::Context;
 use fixedgl::enums::*;

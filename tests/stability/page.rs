@@ -1,19 +1,19 @@
 //! The page `spec-notes/stability.md` has every row, word for word. Its tables stand between two marks for each part and
-//! are written by `FIXEDGL_BLESS=1 cargo test --test stability the_page`.
+//! are written by `FIXEDGL_BLESS=1 cargo test --test spec the_page`.
 
-use crate::row::Row;
+use crate::stability::row::Row;
 use std::fmt::Write;
 use std::path::PathBuf;
 
 /// The parts of the page and their rows.
 const PARTS: &[(&str, &[Row])] = &[
-    ("clip", crate::clip::ROWS),
-    ("raster", crate::raster::ROWS),
-    ("coords", crate::coords::ROWS),
-    ("texels", crate::texels::ROWS),
-    ("lod", crate::lod::ROWS),
-    ("vertex", crate::vertex::ROWS),
-    ("fragment", crate::fragment::ROWS),
+    ("clip", crate::stability::clip::ROWS),
+    ("raster", crate::stability::raster::ROWS),
+    ("coords", crate::stability::coords::ROWS),
+    ("texels", crate::stability::texels::ROWS),
+    ("lod", crate::stability::lod::ROWS),
+    ("vertex", crate::stability::vertex::ROWS),
+    ("fragment", crate::stability::fragment::ROWS),
 ];
 
 /// The table of a part, with figures where they are measured.

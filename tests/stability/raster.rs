@@ -1,10 +1,12 @@
 //! Rasterisation (OpenGL 1.5, section 3.5): coverage of huge, thin and empty triangles, shared edges, values that must not
 //! depend on where in the window a triangle lies, depths that must be the same when it is drawn again.
 
-use crate::common::{Color, bytes, counting, counts, emit, everywhere, floats, part, read, window_coordinates};
 use crate::oracle::matrix::M4;
 use crate::oracle::raster::{Triangle, Window, coverage_within, snap};
-use crate::row::{Worst, rows};
+use crate::stability::common::{
+    Color, bytes, counting, counts, emit, everywhere, floats, part, read, window_coordinates,
+};
+use crate::stability::row::{Worst, rows};
 use crate::support::{Random, no_error};
 use fixedgl::Context;
 use fixedgl::enums::*;

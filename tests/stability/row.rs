@@ -99,7 +99,7 @@ fn number(v: f64) -> String {
 macro_rules! rows {
     ($($run:ident: $name:literal, $input:literal, $expected:literal, $tolerance:expr, $unit:literal, $how:literal;)*) => {
         /// The rows of this part.
-        pub const ROWS: &[crate::row::Row] = &[$(crate::row::Row {
+        pub const ROWS: &[crate::stability::row::Row] = &[$(crate::stability::row::Row {
             name: $name,
             input: $input,
             expected: $expected,

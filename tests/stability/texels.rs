@@ -1,10 +1,10 @@
 //! Images (OpenGL 1.5, sections 3.8.1 to 3.8.8): textures of one texel and of one colour, borders, faces of cubes at their
 //! edges, chains of odd sizes, the greatest size.
 
-use crate::common::{any_size, bytes, cover, everywhere, floats, read};
-use crate::coords::MODES;
 use crate::oracle::texel::cube_face;
-use crate::row::{Worst, rows};
+use crate::stability::common::{any_size, bytes, cover, everywhere, floats, read};
+use crate::stability::coords::MODES;
+use crate::stability::row::{Worst, rows};
 use crate::support::{Random, get_i, no_error, raises};
 use fixedgl::Context;
 use fixedgl::enums::*;
@@ -204,7 +204,7 @@ fn six_colors(cx: &mut Context) {
 /// One point a pixel with a direction each.
 fn directions(cx: &mut Context, all: &[[f32; 3]]) -> Vec<u8> {
     let (width, height) = cx.size();
-    crate::common::window_coordinates(cx, width, height);
+    crate::stability::common::window_coordinates(cx, width, height);
     cx.begin(GL_POINTS);
     for (i, r) in all.iter().enumerate() {
         cx.tex_coord3fv(r);

@@ -1,9 +1,9 @@
 //! Matrices, normals, generated coordinates, lighting (OpenGL 1.5, sections 2.11 to 2.14): singular and ill-conditioned
 //! matrices, what accumulates over a day, the pole of the sphere map, powers and attenuations at their ends.
 
-use crate::common::{Color, bytes, cover, everywhere, floats, read};
 use crate::oracle::matrix::M4;
-use crate::row::{Worst, rows};
+use crate::stability::common::{Color, bytes, cover, everywhere, floats, read};
+use crate::stability::row::{Worst, rows};
 use crate::support::{Random, get_i, no_error, raises};
 use fixedgl::Context;
 use fixedgl::enums::*;

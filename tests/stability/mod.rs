@@ -3,15 +3,8 @@
 //! the result open it must be a number, the documented one and the same at every instruction set, number of threads,
 //! batch cut and plan (`common::everywhere`).
 //!
-//! `cargo test --test stability -- --nocapture --test-threads=1 | grep '^| '` prints the lines of the page's tables;
-//! `FIXEDGL_BLESS=1 cargo test --test stability the_page` writes them into the page.
-
-#[path = "../support/everywhere.rs"]
-mod everywhere;
-#[path = "../oracle/mod.rs"]
-mod oracle;
-#[path = "../support/mod.rs"]
-mod support;
+//! `cargo test --test spec stability -- --nocapture --test-threads=1 | grep '^| '` prints the lines of the page's tables;
+//! `FIXEDGL_BLESS=1 cargo test --test spec the_page` writes them into the page.
 
 mod clip;
 mod common;
