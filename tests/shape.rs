@@ -34,7 +34,7 @@ const MOST_LINES: usize = 500;
 
 /// Files that may use each other in one circle: more of them can only be understood, changed and tested together. To be
 /// lowered to 3.
-const LARGEST_CIRCLE: usize = 24;
+const LARGEST_CIRCLE: usize = 23;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
