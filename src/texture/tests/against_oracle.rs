@@ -4,7 +4,7 @@
 //! left out and counted.
 
 use super::oracle::lod::Levels;
-use super::oracle::texel::{Image as OracleImage, Sampled, Texture};
+use super::oracle::texel::{Image as OracleImage, Sampled, Texture, nearest_index};
 use crate::enums::*;
 use crate::limits::MAX_TEXTURE_LOD_BIAS;
 use crate::simd::{LANES, Level};
@@ -272,4 +272,41 @@ fn samplers_agree_with_the_oracle() {
     );
     assert!(compared > 100_000, "only {compared} were compared");
     assert!(f64::from(off) < 0.001 * f64::from(compared), "{off} of {compared} round differently");
+}
+
+#[test]
+fn floats_beside_whole_numbers_read_the_texel_of_the_exact_number() {
+    let mut coords: Vec<f32> = vec![-1e-8, -1e-20, -1e-38, -1e-45];
+    for whole in (-4096i32..=4096).filter(|n| *n != 0) {
+        let v = whole as f32;
+        coords.extend([v.next_up(), v.next_down()]);
+    }
+    let mut b = TexBatch::new();
+    for mode in [WrapMode::Repeat, WrapMode::MirroredRepeat] {
+        for n in [1u32, 2, 16, 64, 256] {
+            let mut image = Image::new(InternalFormat::find(GL_RGBA8).unwrap(), Dimensions::One, [n, 1, 1], 0).unwrap();
+            for i in 0..n as i32 {
+                let at = image.index(i, 0, 0);
+                let Texels::Rgba8(texels) = &mut image.texels else { unreachable!("RGBA8 is packed") };
+                texels[at] = i as u32;
+            }
+            let mut object = TextureObject::new(Target::D1);
+            object.faces[0][0] = Some(Arc::new(image));
+            object.parameters.wrap = [mode; 3];
+            object.parameters.min_filter = TextureFilter::Nearest;
+            object.parameters.mag_filter = TextureFilter::Nearest;
+            prepare(&mut object).unwrap();
+            let sampler = Sampler::build(Level::detect(), &object, 0.0, 0);
+            for part in coords.chunks(LANES) {
+                b.n = LANES;
+                b.mask = [u32::MAX; LANES];
+                b.coord[0][..part.len()].copy_from_slice(part);
+                sampler.run(&mut b);
+                for (i, s) in part.iter().enumerate() {
+                    let want = nearest_index(mode.gl(), f64::from(*s), i64::from(n));
+                    assert_eq!((f64::from(b.texel[0][0][i]) * 255.0).round() as i64, want, "{mode:?} N = {n}: {s}");
+                }
+            }
+        }
+    }
 }
