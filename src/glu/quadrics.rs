@@ -5,7 +5,7 @@
 //! 0.75 at +x down to 0, so that an image is not mirrored when seen from outside; a disk cuts its circle out of the image.
 
 use super::constants::*;
-use super::revolution::{Look, Mapping, PrimitiveSink, Revolution, Ring, Shape};
+use super::revolution::{Look, Mapping, QuadricSink, Revolution, Ring, Shape};
 use crate::context::Context;
 use crate::enums::*;
 use crate::num::sin_cos_deg;
@@ -157,7 +157,7 @@ fn not_negative(numbers: &[f64]) -> Result<(), GLenum> {
     if numbers.iter().all(|n| *n >= 0.0) { Ok(()) } else { Err(GLU_INVALID_VALUE) }
 }
 
-fn sphere(look: Look, radius: f64, slices: i32, stacks: i32, sink: &mut impl PrimitiveSink) -> Result<(), GLenum> {
+fn sphere(look: Look, radius: f64, slices: i32, stacks: i32, sink: &mut impl QuadricSink) -> Result<(), GLenum> {
     let (slices, bands) = counts(slices, stacks)?;
     not_negative(&[radius])?;
     // Ring 0 is the pole at -z: then the pair (ring j, ring j+1) faces outward.
@@ -176,7 +176,7 @@ fn cylinder(
     height: f64,
     slices: i32,
     stacks: i32,
-    sink: &mut impl PrimitiveSink,
+    sink: &mut impl QuadricSink,
 ) -> Result<(), GLenum> {
     let (slices, bands) = counts(slices, stacks)?;
     not_negative(&[base, top, height])?;
@@ -200,7 +200,7 @@ fn partial_disk(
     slices: i32,
     loops: i32,
     [start, sweep]: [f64; 2],
-    sink: &mut impl PrimitiveSink,
+    sink: &mut impl QuadricSink,
 ) -> Result<(), GLenum> {
     let (slices, bands) = counts(slices, loops)?;
     not_negative(&[inner, outer - inner])?;
@@ -220,7 +220,7 @@ fn partial_disk(
     Ok(())
 }
 
-impl PrimitiveSink for Context {
+impl QuadricSink for Context {
     fn begin(&mut self, mode: GLenum) {
         Context::begin(self, mode);
     }

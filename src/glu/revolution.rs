@@ -1,14 +1,14 @@
 //! Drawing a surface of revolution (GLU 1.3, chapter 6): every quadric is rings of points around the z axis.
 //!
 //! A quadric is a small table: where ring `j` is (radius and height), how its normal leans, and what its texture
-//! coordinates are. What the draw styles do with rings and slices is written once, here, for any [`PrimitiveSink`]. Slices run from +y towards +x, as GLU's do.
+//! coordinates are. What the draw styles do with rings and slices is written once, here, for any [`QuadricSink`]. Slices run from +y towards +x, as GLU's do.
 
 use super::constants::*;
 use crate::enums::*;
 use crate::num::sin_cos_deg;
 
 /// Receives the primitives: a context, or a list in the tests.
-pub(super) trait PrimitiveSink {
+pub(super) trait QuadricSink {
     fn begin(&mut self, mode: GLenum);
     fn end(&mut self);
     fn normal(&mut self, n: [f64; 3]);
@@ -72,7 +72,7 @@ pub(super) struct Look {
 
 impl<R: Fn(f64) -> Ring> Revolution<R> {
     /// Draws the surface as `look` says.
-    pub fn draw(&self, look: Look, sink: &mut impl PrimitiveSink) {
+    pub fn draw(&self, look: Look, sink: &mut impl QuadricSink) {
         match look.style {
             GLU_POINT => self.points(look, sink),
             GLU_LINE | GLU_SILHOUETTE => self.lines(look, sink),
@@ -87,7 +87,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Bands of quads. The pair (ring j, ring j+1) faces outward in the order of the slices; inward the pair is swapped.
-    fn fill(&self, look: Look, sink: &mut impl PrimitiveSink) {
+    fn fill(&self, look: Look, sink: &mut impl QuadricSink) {
         let hub = self.shape == Shape::Disk;
         let bands = if hub { self.bands - 1 } else { self.bands };
         if hub {
@@ -107,7 +107,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// The innermost band of a disk without a hole.
-    fn fan(&self, look: Look, sink: &mut impl PrimitiveSink) {
+    fn fan(&self, look: Look, sink: &mut impl QuadricSink) {
         sink.begin(GL_TRIANGLE_FAN);
         self.point(look, 0, self.bands, [0.0; 2], sink);
         for i in 0..=self.slices {
@@ -118,7 +118,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Rings and slices as lines.
-    fn lines(&self, look: Look, sink: &mut impl PrimitiveSink) {
+    fn lines(&self, look: Look, sink: &mut impl QuadricSink) {
         let silhouette = look.style == GLU_SILHOUETTE;
         let closed = self.sweep >= 360.0;
         let coplanar = matches!(self.shape, Shape::Ring | Shape::Disk);
@@ -155,7 +155,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Every vertex once.
-    fn points(&self, look: Look, sink: &mut impl PrimitiveSink) {
+    fn points(&self, look: Look, sink: &mut impl QuadricSink) {
         let look = Look { normals: if look.normals == GLU_NONE { GLU_NONE } else { GLU_SMOOTH }, ..look };
         let slices = if self.sweep >= 360.0 { self.slices } else { self.slices + 1 };
         sink.begin(GL_POINTS);
@@ -176,7 +176,7 @@ impl<R: Fn(f64) -> Ring> Revolution<R> {
     }
 
     /// Sends a vertex: slice `i` of ring `j`; a flat normal is that at the parameters `facet` (slice, ring).
-    fn point(&self, look: Look, i: u32, j: u32, facet: [f64; 2], sink: &mut impl PrimitiveSink) {
+    fn point(&self, look: Look, i: u32, j: u32, facet: [f64; 2], sink: &mut impl QuadricSink) {
         let (i, j) = (f64::from(i), f64::from(j));
         let ring = (self.ring)(j);
         let [x, y] = self.direction(i);

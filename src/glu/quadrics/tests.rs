@@ -13,7 +13,7 @@ struct Recorder {
     normals: usize,
 }
 
-impl PrimitiveSink for Recorder {
+impl QuadricSink for Recorder {
     fn begin(&mut self, mode: GLenum) {
         self.primitives.push((mode, Vec::new()));
     }
