@@ -13,12 +13,12 @@
 
 use super::batch::{SamplerScratch, TexBatch};
 use super::lod::{lambda, span};
-use super::uniforms::{TexFn, UnitUniforms, by_dims, sampler_stages};
+use super::uniforms::{SamplerUniforms, TexFn, by_dims, sampler_stages};
 use crate::num::{clamp_f32, floor_f32, max_f32, min_f32};
 use crate::simd::{Cost, LANES, Stage, stage};
 
 #[inline(always)]
-fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+fn footprint<const DIMS: usize>(b: &mut TexBatch, u: &SamplerUniforms, _arg: u32) {
     let TexBatch { coord, ddx, ddy, lambda: out, scratch, .. } = b;
     let SamplerScratch { lane_taps, tap_step, axis, center, .. } = scratch;
     let mut along_x = [0u32; LANES];
@@ -61,7 +61,7 @@ sampler_stages! {
 
 stage! {
     /// Lanes that read the nearest texel have one tap.
-    pub fn NEAREST_ONE_TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+    pub fn NEAREST_ONE_TAP: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, _arg: u32) {
         for i in 0..LANES {
             if b.scratch.nearest[i] != 0 {
                 b.scratch.lane_taps[i] = 1.0;
@@ -70,11 +70,11 @@ stage! {
         }
     }
     /// How often the taps of this batch are run.
-    pub fn COUNT_TAPS: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+    pub fn COUNT_TAPS: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, _arg: u32) {
         count(b);
     }
     /// The coordinates of the tap at work; the argument says how many.
-    pub fn TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, arg: u32) {
+    pub fn TAP: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, arg: u32) {
         if b.scratch.taps == 1 {
             return;
         }
@@ -91,7 +91,7 @@ stage! {
         }
     }
     /// Adds the colours of the tap to the sums of the lanes that have it.
-    pub fn ADD_TAP: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+    pub fn ADD_TAP: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, _arg: u32) {
         let w = &mut b.scratch;
         if w.taps == 1 {
             return;
@@ -111,7 +111,7 @@ stage! {
         }
     }
     /// The mean of the taps.
-    pub fn MEAN_OF_TAPS: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+    pub fn MEAN_OF_TAPS: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, _arg: u32) {
         let w = &mut b.scratch;
         if w.taps == 1 {
             return;

@@ -12,7 +12,7 @@
 //! of the projection on the fragment's own face, so no edge between faces ever enters a level of detail.
 
 use super::batch::{Derivatives, TexBatch};
-use super::uniforms::{TexFn, UnitUniforms};
+use super::uniforms::{SamplerUniforms, TexFn};
 use crate::simd::{LANES, stage};
 
 /// `v` with the sign of `ma` applied.
@@ -68,11 +68,11 @@ fn faces(b: &mut TexBatch, derivatives: bool) {
 
 stage! {
     /// Face and coordinates on it.
-    pub fn CUBE_FACE: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+    pub fn CUBE_FACE: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, _arg: u32) {
         faces(b, false);
     }
     /// Face, coordinates on it and their derivatives.
-    pub fn CUBE_FACE_DERIVATIVES: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, _arg: u32) {
+    pub fn CUBE_FACE_DERIVATIVES: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, _arg: u32) {
         faces(b, true);
     }
 }

@@ -14,7 +14,7 @@
 //! its fragments. What is no number ends as MIN_LOD.
 
 use super::batch::{Derivatives, Lanes, TexBatch};
-use super::uniforms::{TexFn, UnitUniforms, by_dims, sampler_stages};
+use super::uniforms::{SamplerUniforms, TexFn, by_dims, sampler_stages};
 use crate::num::{clamp_f32, floor_f32, log2_f32, max_f32, min_f32, round_to_int};
 use crate::simd::{Cost, LANES, Stage, stage};
 
@@ -26,13 +26,13 @@ pub const ONCE: u32 = 2;
 
 /// Lambda of a squared rho, biased and limited. Where MIN_LOD is above MAX_LOD, MIN_LOD counts.
 #[inline(always)]
-pub(super) fn lambda(rho2: f32, u: &UnitUniforms) -> f32 {
+pub(super) fn lambda(rho2: f32, u: &SamplerUniforms) -> f32 {
     max_f32(min_f32(0.5 * log2_f32(rho2) + u.bias, u.max_lod), u.min_lod)
 }
 
 /// Squared length, in texels, of what a pixel spans in the direction of the derivatives `d`.
 #[inline(always)]
-pub(super) fn span<const DIMS: usize>(d: &[Lanes; 3], u: &UnitUniforms, i: usize) -> f32 {
+pub(super) fn span<const DIMS: usize>(d: &[Lanes; 3], u: &SamplerUniforms, i: usize) -> f32 {
     let first = d[0][i] * u.scale[0];
     let mut sum = first * first;
     for c in 1..DIMS {
@@ -44,7 +44,7 @@ pub(super) fn span<const DIMS: usize>(d: &[Lanes; 3], u: &UnitUniforms, i: usize
 
 /// Lambda of a lane.
 #[inline(always)]
-fn lambda_at<const DIMS: usize>(b: &TexBatch, u: &UnitUniforms, i: usize) -> f32 {
+fn lambda_at<const DIMS: usize>(b: &TexBatch, u: &SamplerUniforms, i: usize) -> f32 {
     lambda(max_f32(span::<DIMS>(&b.ddx, u, i), span::<DIMS>(&b.ddy, u, i)), u)
 }
 
@@ -55,7 +55,7 @@ fn once(b: &TexBatch, arg: u32) -> bool {
 }
 
 #[inline(always)]
-fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     if once(b, arg) {
         b.lambda = [lambda_at::<DIMS>(b, u, 0); LANES];
         return;
@@ -70,7 +70,7 @@ fn lambdas<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
 
 /// The two levels of *_MIPMAP_LINEAR by the lambda of each lane, and the weight of the second.
 #[inline(always)]
-fn linear_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn linear_levels(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     if let Derivatives::OneLevel(level) = b.derivatives {
         return only(b, level);
     }
@@ -105,7 +105,7 @@ fn only(b: &mut TexBatch, level: u32) {
 
 /// The level that all lanes read, if the squares of rho (in `rho2`) are all well within the range of one level.
 #[inline(always)]
-fn one_level(rho2: &Lanes, u: &UnitUniforms) -> Option<u32> {
+fn one_level(rho2: &Lanes, u: &SamplerUniforms) -> Option<u32> {
     // The bits of floats that are not negative are in their order; those of NaN are above all of them.
     let (mut least, mut greatest) = (u32::MAX, 0);
     for i in 0..LANES {
@@ -119,7 +119,7 @@ fn one_level(rho2: &Lanes, u: &UnitUniforms) -> Option<u32> {
 
 /// The level of *_MIPMAP_NEAREST, without lambda where all lanes certainly read the same.
 #[inline(always)]
-fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     if once(b, arg) {
         b.scratch.by_lambda = true;
         b.lambda[0] = lambda_at::<DIMS>(b, u, 0);
@@ -156,7 +156,7 @@ fn nearest_level<const DIMS: usize>(b: &mut TexBatch, u: &UnitUniforms, arg: u32
 
 /// The level of *_MIPMAP_NEAREST by lambda.
 #[inline(always)]
-fn nearest_levels(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn nearest_levels(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     let level = |lambda: f32| round_to_int(-floor_f32(-clamp_f32(lambda - 0.5, 0.0, u.last))) as u32;
     if once(b, arg) {
         return only(b, level(b.lambda[0]));
@@ -183,7 +183,7 @@ fn uniform(n: usize, mask: &[u32; LANES], values: &[u32; LANES]) -> Option<u32> 
 
 /// Sets what the passes read: one image for all live lanes, where they agree.
 #[inline(always)]
-fn set_same(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn set_same(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     let n = b.n;
     let mask = &b.mask;
     let w = &mut b.scratch;
@@ -216,12 +216,12 @@ sampler_stages! {
 
 stage! {
     /// A lambda that its limits make the same everywhere: the bits of the argument.
-    pub fn LAMBDA_CONSTANT: TexFn = (b: &mut TexBatch, _u: &UnitUniforms, arg: u32) {
+    pub fn LAMBDA_CONSTANT: TexFn = (b: &mut TexBatch, _u: &SamplerUniforms, arg: u32) {
         b.lambda = [f32::from_bits(arg); LANES];
     }
     /// Marks the lanes that read the nearest texel while others filter, by magnification or minification. A magnified
     /// lane reads the base level only.
-    pub fn MAGNIFY: TexFn = (b: &mut TexBatch, u: &UnitUniforms, _arg: u32) {
+    pub fn MAGNIFY: TexFn = (b: &mut TexBatch, u: &SamplerUniforms, _arg: u32) {
         let flip = if u.magnify_nearest { 0 } else { u32::MAX };
         for i in 0..LANES {
             let magnified = if b.lambda[i] <= u.magnify_below { u32::MAX } else { 0 };
@@ -230,13 +230,13 @@ stage! {
         }
     }
     /// The base level of each lane's face.
-    pub fn LEVEL_BASE: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn LEVEL_BASE: TexFn = (b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
         b.scratch.level[0] = [0; LANES];
         b.scratch.two_levels = false;
         set_same(b, u, arg);
     }
     /// Blends the colours of two levels and brings them to 0..1.
-    pub fn MIX_LEVELS: TexFn = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+    pub fn MIX_LEVELS: TexFn = (b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
         let k = f32::from_bits(arg);
         let Some(texel) = b.texel.get_mut(u.unit) else { return };
         let w = &b.scratch;

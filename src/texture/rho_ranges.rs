@@ -3,7 +3,7 @@
 //! the true one, and the ranges keep a distance of 2^-11 from its steps: what lies in a range cannot come to another level.
 
 use super::batch::TexBatch;
-use super::uniforms::UnitUniforms;
+use super::uniforms::SamplerUniforms;
 use crate::num::{clamp_f32, floor_f32, log2_f32};
 
 /// For each level of *_MIPMAP_NEAREST from which rho squared on, and up to which, it is certainly the one to be read. The
@@ -46,7 +46,7 @@ pub struct RhoRanges {
 impl RhoRanges {
     /// Those of *_MIPMAP_NEAREST or, if it `blends`, of *_MIPMAP_LINEAR, whose levels stand alone only at both ends.
     #[must_use]
-    pub fn new(u: &UnitUniforms, dims: usize, blends: bool) -> Self {
+    pub fn new(u: &SamplerUniforms, dims: usize, blends: bool) -> Self {
         let ranges = if blends { end_ranges(u.bias, u.min_lod, u.max_lod, u.last) } else { u.level_ranges.clone() };
         let pairs = if blends { pair_ranges(u.bias, u.min_lod, u.max_lod, u.last) } else { Vec::new() };
         let scale = std::array::from_fn(|c| if c < dims { f64::from(u.scale[c]) } else { 0.0 });

@@ -15,7 +15,7 @@ use crate::state::texture::Target;
 use std::sync::Arc;
 
 /// A stage of a sampler.
-pub type TexFn = for<'a, 'b> unsafe fn(&'a mut TexBatch, &'b UnitUniforms, u32);
+pub type TexFn = for<'a, 'b> unsafe fn(&'a mut TexBatch, &'b SamplerUniforms, u32);
 
 /// Stages of samplers that are one function each, a row a stage: `NAME [cost] = function;`, or with more arguments
 /// `NAME [cost] = function, argument;`.
@@ -23,7 +23,7 @@ macro_rules! sampler_stages {
     ($($(#[$meta:meta])* $name:ident [$cost:expr] = $run:expr $(, $more:expr)*;)*) => {
         $crate::simd::stage! {$(
             $(#[$meta])*
-            pub fn $name: $crate::texture::uniforms::TexFn [$cost] = (b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+            pub fn $name: $crate::texture::uniforms::TexFn [$cost] = (b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
                 $run(b, u, arg $(, $more)*);
             }
         )*}
@@ -100,7 +100,7 @@ impl LinearImage {
 
 /// What the stages of one unit's sampler read.
 #[derive(Clone, Debug)]
-pub struct UnitUniforms {
+pub struct SamplerUniforms {
     /// The unit, which is where the texels go.
     pub unit: usize,
     /// The images: all levels of the first face from the base level on, then those of the next face.
@@ -151,7 +151,7 @@ pub fn level_range(object: &TextureObject) -> (usize, usize) {
     (base, last)
 }
 
-impl UnitUniforms {
+impl SamplerUniforms {
     /// The uniforms of a texture object with a unit's LOD bias.
     #[must_use]
     pub fn new(object: &TextureObject, unit_bias: f32, unit: usize) -> Self {

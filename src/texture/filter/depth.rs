@@ -13,7 +13,7 @@ use crate::texture::batch::{Lanes, TexBatch};
 use crate::texture::filter::{SECOND, destination, lerp};
 use crate::texture::format::BaseFormat;
 use crate::texture::image::Texels;
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, sampler_stages};
+use crate::texture::uniforms::{MipLevel, SamplerUniforms, TexFn, sampler_stages};
 
 /// In a stage's argument from this bit on: how the depth is read ([`mode`]).
 const MODE_SHIFT: u32 = 8;
@@ -79,7 +79,7 @@ fn expand(out: &mut [Lanes; 4], depth: &Lanes, arg: u32) {
 }
 
 #[inline(always)]
-fn read<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn read<const DIMS: usize, const LINEAR: bool, const COMPARE: bool>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.scratch.two_levels {
         return;

@@ -6,7 +6,7 @@ use crate::simd::{Cost, LANES, Stage};
 use crate::texture::batch::{Lanes, SamplerScratch, TexBatch};
 use crate::texture::filter::{SECOND, destination, lane_image, lane_offset, lerp, offsets};
 use crate::texture::image::{FloatTexel, Texels};
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, by_dims, sampler_stages};
+use crate::texture::uniforms::{MipLevel, SamplerUniforms, TexFn, by_dims, sampler_stages};
 
 #[inline(always)]
 fn texels(image: &MipLevel) -> &[FloatTexel] {
@@ -36,7 +36,7 @@ pub(super) fn neighbours<T: Copy + Default, const ROWS: usize>(
 pub(super) fn each_lane<const DIMS: usize>(
     w: &SamplerScratch,
     n: usize,
-    u: &UnitUniforms,
+    u: &SamplerUniforms,
     pass: usize,
     mut f: impl FnMut(usize, &MipLevel, usize),
 ) {
@@ -61,7 +61,7 @@ fn mix(a: FloatTexel, b: FloatTexel, t: f32) -> FloatTexel {
 }
 
 #[inline(always)]
-fn sample<const DIMS: usize, const ROWS: usize, const LINEAR: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn sample<const DIMS: usize, const ROWS: usize, const LINEAR: bool>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.scratch.two_levels {
         return;

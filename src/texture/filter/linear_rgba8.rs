@@ -11,7 +11,7 @@ use crate::texture::filter::{
     INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, lerp, offsets, texels,
 };
 use crate::texture::format::BaseFormat;
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, sampler_stages};
+use crate::texture::uniforms::{MipLevel, SamplerUniforms, TexFn, sampler_stages};
 use crate::texture::wrap::bounded::{CoordBounds, LinearWrap};
 use crate::texture::wrap::general::repeat_or_clamp_linear;
 
@@ -88,7 +88,7 @@ struct SharedImage<'a> {
 #[inline(always)]
 fn shared<'a, const DIMS: usize>(
     b: &mut TexBatch,
-    u: &'a UnitUniforms,
+    u: &'a SamplerUniforms,
     arg: u32,
     pass: usize,
 ) -> Option<SharedImage<'a>> {
@@ -135,7 +135,7 @@ fn fetch<const DIMS: usize, const ROWS: usize>(
     out: &mut [TexelPairs<LANES>; ROWS],
     shared: Option<SharedImage<'_>>,
     w: &SamplerScratch,
-    u: &UnitUniforms,
+    u: &SamplerUniforms,
     pass: usize,
 ) {
     if let Some(SharedImage { image, at }) = shared {
@@ -152,7 +152,11 @@ fn fetch<const DIMS: usize, const ROWS: usize>(
 }
 
 #[inline(always)]
-fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn sample_linear<const DIMS: usize, const ROWS: usize, const FORMAT: u8>(
+    b: &mut TexBatch,
+    u: &SamplerUniforms,
+    arg: u32,
+) {
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.scratch.two_levels {
         return;

@@ -8,7 +8,7 @@ pub mod nearest_rgba8;
 
 use super::batch::{Lanes, SamplerScratch};
 use super::image::Texels;
-use super::uniforms::{MipLevel, UnitUniforms};
+use super::uniforms::{MipLevel, SamplerUniforms};
 use super::wrap::general;
 use crate::simd::LANES;
 
@@ -75,7 +75,7 @@ pub(super) fn offsets<const DIMS: usize>(
 /// The image that a lane reads in a pass where lanes differ.
 #[inline(always)]
 pub(super) fn lane_image<'a>(
-    u: &'a UnitUniforms,
+    u: &'a SamplerUniforms,
     scratch: &SamplerScratch,
     pass: usize,
     i: usize,

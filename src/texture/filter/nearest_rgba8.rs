@@ -4,7 +4,7 @@
 use super::{INV_255, REPEATS, SECOND, byte, destination, lane_image, lane_offset, neighbours, offsets, texels};
 use crate::simd::{Cost, LANES, Stage};
 use crate::texture::batch::{SamplerScratch, TexBatch};
-use crate::texture::uniforms::{MipLevel, TexFn, UnitUniforms, by_dims, sampler_stages};
+use crate::texture::uniforms::{MipLevel, SamplerUniforms, TexFn, by_dims, sampler_stages};
 use crate::texture::wrap::bounded::NearestWrap;
 use crate::texture::wrap::general::repeat_or_clamp_nearest;
 
@@ -13,7 +13,7 @@ use crate::texture::wrap::general::repeat_or_clamp_nearest;
 fn nearest_texels<const DIMS: usize>(
     found: &mut [u32; LANES],
     scratch: &SamplerScratch,
-    u: &UnitUniforms,
+    u: &SamplerUniforms,
     pass: usize,
 ) {
     if let Some(same) = scratch.same[pass] {
@@ -44,7 +44,7 @@ fn texels_at(found: &mut [u32; LANES], image: &MipLevel, at: &[u32; LANES]) {
 
 /// Wraps s and t, and fetches the nearest texel of every lane.
 #[inline(always)]
-fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     let (across, up) = (arg & REPEATS != 0, arg & (2 * REPEATS) != 0);
     let pass = usize::from(arg & SECOND != 0);
     let TexBatch { coord: [s, t, _], limit, scratch, .. } = b;
@@ -65,7 +65,7 @@ fn wrap_nearest(found: &mut [u32; LANES], b: &mut TexBatch, u: &UnitUniforms, ar
 }
 
 #[inline(always)]
-fn sample_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn sample_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.scratch.two_levels {
         return;
@@ -87,7 +87,7 @@ fn sample_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &Un
 
 /// [`sample_nearest`] that leaves the texels packed.
 #[inline(always)]
-fn copy_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &UnitUniforms, arg: u32) {
+fn copy_nearest<const DIMS: usize, const WRAPS: bool>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32) {
     if WRAPS {
         let mut found = [0; LANES];
         wrap_nearest(&mut found, b, u, arg);

@@ -22,7 +22,7 @@ use super::bounded::{CoordBounds, LinearWrap};
 use crate::num::{clamp_f32, floor_to_int, max_f32, round_to_int};
 use crate::simd::{Cost, LANES};
 use crate::texture::batch::{SamplerScratch, TexBatch};
-use crate::texture::uniforms::{UnitUniforms, sampler_stages};
+use crate::texture::uniforms::{SamplerUniforms, sampler_stages};
 
 /// In a stage's argument: which coordinate (0 to 2).
 pub const COORDINATE: u32 = 3;
@@ -126,7 +126,7 @@ const AROUND: u8 = 2;
 /// NEAREST of any coordinates by REPEAT or, if not `repeats`, by CLAMP or CLAMP_TO_EDGE. The argument is that of the
 /// stages.
 #[inline(always)]
-pub(crate) fn repeat_or_clamp_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+pub(crate) fn repeat_or_clamp_nearest(b: &mut TexBatch, u: &SamplerUniforms, arg: u32, repeats: bool) {
     if repeats {
         wrap_nearest::<AROUND>(b, u, arg, repeat);
     } else {
@@ -136,7 +136,7 @@ pub(crate) fn repeat_or_clamp_nearest(b: &mut TexBatch, u: &UnitUniforms, arg: u
 
 /// LINEAR, as [`repeat_or_clamp_nearest`].
 #[inline(always)]
-pub(crate) fn repeat_or_clamp_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+pub(crate) fn repeat_or_clamp_linear(b: &mut TexBatch, u: &SamplerUniforms, arg: u32, repeats: bool) {
     if repeats {
         wrap_linear::<AROUND>(b, u, arg, repeat);
     } else {
@@ -146,7 +146,7 @@ pub(crate) fn repeat_or_clamp_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u3
 
 /// REPEAT, or CLAMP and CLAMP_TO_EDGE, by the [`LinearWrap`] that the coordinates allow.
 #[inline(always)]
-fn bounded_or_general_linear(b: &mut TexBatch, u: &UnitUniforms, arg: u32, repeats: bool) {
+fn bounded_or_general_linear(b: &mut TexBatch, u: &SamplerUniforms, arg: u32, repeats: bool) {
     let c = (arg & COORDINATE).min(2) as usize;
     let pass = usize::from(arg & SECOND != 0);
     if pass == 1 && !b.scratch.two_levels {
@@ -174,7 +174,7 @@ fn level_size(base: f32, level: u32) -> f32 {
 
 /// Runs `f(s, scale, n)` over the lanes, with the size of the image that each lane reads.
 #[inline(always)]
-fn over_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, f: impl Fn(f32, f32, f32) -> (i32, f32), merge: bool) {
+fn over_lanes(b: &mut TexBatch, u: &SamplerUniforms, arg: u32, f: impl Fn(f32, f32, f32) -> (i32, f32), merge: bool) {
     let c = (arg & COORDINATE).min(2) as usize;
     let pass = usize::from(arg & SECOND != 0);
     let TexBatch { coord, scratch, .. } = b;
@@ -204,12 +204,12 @@ fn over_lanes(b: &mut TexBatch, u: &UnitUniforms, arg: u32, f: impl Fn(f32, f32,
 }
 
 #[inline(always)]
-fn wrap_linear<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: impl Fn(f32, f32, f32) -> f32) {
+fn wrap_linear<const END: u8>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32, x: impl Fn(f32, f32, f32) -> f32) {
     over_lanes(b, u, arg, |s, scale, n| linear::<END>(x(s, scale, n), n), false);
 }
 
 #[inline(always)]
-fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &UnitUniforms, arg: u32, x: impl Fn(f32, f32, f32) -> f32) {
+fn wrap_nearest<const END: u8>(b: &mut TexBatch, u: &SamplerUniforms, arg: u32, x: impl Fn(f32, f32, f32) -> f32) {
     if arg & MERGE == 0 {
         over_lanes(b, u, arg, |s, scale, n| (nearest::<END>(x(s, scale, n), n), 0.0), false);
     } else {
