@@ -30,8 +30,11 @@ pub struct Explanation {
     pub decisions: Vec<Decision>,
     /// The names of the vertex stages that run, in order.
     pub vertex_stages: Vec<&'static str>,
-    /// The names of the fragment stages that run, in order.
+    /// The names of the fragment stages that run over batches of fragments, in order.
     pub fragment_stages: Vec<&'static str>,
+    /// The names of the span kernels that do rows of a primitive instead of those: one for long rows, one for the short rows of
+    /// a primitive together. None where no kernel covers the state; the line "span kernel" says why.
+    pub span_kernels: Vec<&'static str>,
 }
 
 impl Explanation {
@@ -61,7 +64,10 @@ impl fmt::Display for Explanation {
             writeln!(f, "{:width$}  {:8}  {}", d.stage, d.fate, d.reason)?;
         }
         writeln!(f, "vertex stages: {}", self.vertex_stages.join(", ").to_lowercase())?;
-        writeln!(f, "fragment stages: {}", self.fragment_stages.join(", ").to_lowercase())
+        writeln!(f, "fragment stages: {}", self.fragment_stages.join(", ").to_lowercase())?;
+        let kernels =
+            if self.span_kernels.is_empty() { "none".into() } else { self.span_kernels.join(", ").to_lowercase() };
+        writeln!(f, "span kernels: {kernels}")
     }
 }
 
@@ -79,6 +85,7 @@ impl Context {
             decisions,
             vertex_stages: engine.pipe.plan.plan.names().collect(),
             fragment_stages: program.stage_names(),
+            span_kernels: program.span_names(),
         }
     }
 

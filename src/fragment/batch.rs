@@ -1,7 +1,7 @@
 //! Sixty-four fragments as structures of arrays. The rasteriser appends *segments*: runs of lanes that belong to one
 //! primitive. Stages that need the primitive (interpolation) walk the segments; all others see 64 lanes.
 
-use crate::fragment::lod_bounds::LodLookahead;
+use super::mip_range::LodLookahead;
 use crate::simd::LANES;
 use crate::texture::batch::{Lanes, TexBatch};
 

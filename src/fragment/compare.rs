@@ -1,8 +1,13 @@
 //! The eight comparison functions of the alpha, stencil and depth tests (OpenGL 1.5, sections 4.1.4 to 4.1.6), over the
 //! lanes of a batch.
 
-use crate::fragment::reference::lanes::ones;
 pub use crate::state::compare::CompareFunc as Func;
+
+/// All ones or 0.
+#[inline(always)]
+pub fn ones(yes: bool) -> u32 {
+    u32::from(yes).wrapping_neg()
+}
 
 impl Func {
     /// The function that a stage's number stands for.

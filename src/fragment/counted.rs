@@ -1,14 +1,15 @@
-//! Running a program and counting what it does: fragments into each stage, fragments that a test kills, texels, divisions,
-//! logarithms. The stages are those of the program, run over the same batches; a program that is counted only gives up
-//! the stages that fill or skip whole runs, so that every stage can be seen.
+//! Counting what a program does: fragments into each stage, fragments that a test kills, texels, divisions, logarithms. It is
+//! the program itself that is counted, on both of its paths: stages of the reference path by the lanes that were alive, span
+//! kernels by the pixels that they say have passed.
 
-use crate::fragment::batch::FragmentBatch;
-use crate::fragment::planes::Planes;
-use crate::fragment::program::{Action, Program};
-use crate::fragment::reference::interpolate::FIRST;
-use crate::fragment::reference::texcoord::{COORDINATES, unit_of};
-use crate::fragment::uniforms::{FragFn, Work};
-use crate::simd::{Counters, Step, Tally};
+use super::batch::FragmentBatch;
+use super::hiz::HIZ_CULL;
+use super::planes::Planes;
+use super::program::{Action, Program};
+use super::reference::interpolate::FIRST;
+use super::reference::texcoord::{COORDINATES, unit_of};
+use super::uniforms::{FragFn, SpanCounts, Work};
+use crate::simd::{Counters, StageId, Step, Tally};
 
 /// Lanes of a batch whose fragment is alive.
 fn alive(batch: &FragmentBatch) -> u64 {
@@ -26,9 +27,25 @@ impl Program {
     /// The same program, which from now on counts what it does.
     #[must_use]
     pub fn counted(mut self, tally: &Tally) -> Self {
-        (self.fill, self.rows, self.hiz_cull, self.untextured) = (None, [None, None], None, false);
         self.tally = Some(Tally::clone(tally));
         self
+    }
+
+    /// Adds what a span kernel has done with a row, or the rows of a primitive.
+    pub(super) fn add_counts(&self, kernel: Option<StageId>, counts: &SpanCounts) {
+        let Some(tally) = &self.tally else { return };
+        let SpanCounts { fragments, passed, hidden, cost } = *counts;
+        Counters::with(tally, |all| {
+            all.fragments += fragments + hidden;
+            all.passed += passed;
+            all.add_pixels(cost);
+            if let Some(kernel) = kernel.filter(|_| fragments > 0) {
+                all.add_stage(kernel.name(), fragments, passed);
+            }
+            if hidden > 0 {
+                all.add_stage(HIZ_CULL.id.name(), hidden, 0);
+            }
+        });
     }
 
     /// Divisions of a step over a batch: by w where it is the first to need it, by q where its unit has one.
@@ -41,10 +58,10 @@ impl Program {
     }
 
     /// [`Program::run`] with every step counted.
-    pub(crate) fn run_counted(&self, batch: &mut FragmentBatch, work: &mut Work<'_, '_>, tally: &Tally) {
+    pub fn run_counted(&self, batch: &mut FragmentBatch, work: &mut Work<'_, '_>, tally: &Tally) {
         Counters::with(tally, |all| {
             all.fragments += batch.tex.n as u64;
-            for action in &self.actions {
+            for action in &self.reference {
                 let before = if batch.tex.n > 0 && self.begun(action) { alive(batch) } else { batch.tex.n as u64 };
                 if !self.act(action, batch, work) {
                     return;
@@ -76,6 +93,6 @@ impl Program {
 
     /// Whether the mask has been set when an action comes: the first one sets it.
     fn begun(&self, action: &Action) -> bool {
-        self.actions.first().is_some_and(|first| !std::ptr::eq(first, action))
+        self.reference.first().is_some_and(|first| !std::ptr::eq(first, action))
     }
 }

@@ -10,8 +10,9 @@
 //! derivatives that are not worked out, widens the limits. They are asked for once for several batches of a run: for all of
 //! it, or for as much as was of use before.
 
-use crate::fragment::reference::texcoord::{Unit, is_even};
-use crate::fragment::span::mip_fraction::even_rho2;
+use super::mip_range::{Axis, LodLookahead, MipRange, MipWeight};
+use super::planes::Unit;
+use super::span::mip_fraction::even_rho2;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
 use crate::texture::batch::{Derivatives, TexBatch};
@@ -32,39 +33,6 @@ struct Span {
     y: [f64; 2],
 }
 
-/// What is known of the run that a batch is a part of.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct LodLookahead {
-    /// Pixels from the batch's first one to the end of the run; 0 where the batch is no part of one.
-    left: u32,
-    /// For each unit the level of the next pixels, and how many are left of the run when it is no more known.
-    levels: [(u32, u32); MAX_TEXTURE_UNITS],
-    /// For how many pixels to ask the next time.
-    reach: [u32; MAX_TEXTURE_UNITS],
-    /// Bit u: levels of unit u are blended here, and more will be.
-    blended: u32,
-    /// What a stage for whole runs was told of the next pixels, so that it need not be asked again by the one that does
-    /// them: how many are left of the run, what they read, and how many do.
-    told: Option<(u32, MipRange, u32)>,
-}
-
-impl LodLookahead {
-    /// A run begins.
-    #[inline(always)]
-    pub(crate) fn begin(&mut self, len: u32) {
-        self.left = len;
-        self.levels = [(0, u32::MAX); MAX_TEXTURE_UNITS];
-        self.blended = 0;
-        self.told = None;
-    }
-
-    /// So many pixels are done.
-    #[inline(always)]
-    pub(crate) fn advance(&mut self, done: u32) {
-        self.left = self.left.saturating_sub(done);
-    }
-}
-
 #[inline(always)]
 fn positive(v: f64) -> f64 {
     if v > 0.0 { v } else { 0.0 }
@@ -73,35 +41,6 @@ fn positive(v: f64) -> f64 {
 #[inline(always)]
 fn ordered(a: f64, b: f64) -> [f64; 2] {
     if a < b { [a, b] } else { [b, a] }
-}
-
-/// Along which axis of the window rho is greater.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axis {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// Now the one, now the other.
-    Either,
-}
-
-/// How much is read of the second of two levels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum MipWeight {
-    /// So much everywhere.
-    Same(f32),
-    /// What rho tells, along this axis.
-    By(Axis),
-}
-
-/// What a part of a run reads.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum MipRange {
-    /// One level.
-    One(u32),
-    /// This level and the next one.
-    Two(u32, MipWeight),
 }
 
 /// What is known of a span.
@@ -167,7 +106,7 @@ fn limits<const K: usize, const SEVERAL: bool>(unit: &Unit<'_, K>, span: Span, s
 /// What is known of the levels that the fragments of a row read, of the unit with this index. The row is so many pixels
 /// long from (x, y) on, relative to the primitive's origin.
 #[inline(always)]
-pub(crate) fn of_row<const K: usize>(
+pub fn of_row<const K: usize>(
     lookahead: &mut LodLookahead,
     index: usize,
     b: &TexBatch,
@@ -203,7 +142,7 @@ pub(crate) fn of_row<const K: usize>(
 /// What the next pixels of a run read, of which so many are left from (x, y) on, and how many do; `None` where limits do not
 /// tell for as many as a batch has.
 #[inline(always)]
-pub(crate) fn part<const K: usize>(
+pub fn part<const K: usize>(
     lookahead: &mut LodLookahead,
     index: u32,
     b: &TexBatch,
@@ -211,17 +150,11 @@ pub(crate) fn part<const K: usize>(
     (x, y, left): (i32, i32, u32),
     levels: &RhoRanges,
 ) -> Option<(MipRange, u32)> {
-    if let Some((at, reads, pixels)) = lookahead.told
-        && at == left
-    {
-        return Some((reads, pixels));
-    }
     let reach = lookahead.reach.get_mut(index as usize)?;
     loop {
         let pixels = (*reach).max(LANES as u32).min(left);
         if let Some(reads) = reads::<K, false>(b, unit, along(x, y, pixels), levels) {
             *reach = (2 * *reach).clamp(LANES as u32, FARTHEST);
-            lookahead.told = Some((left, reads, pixels));
             return Some((reads, pixels));
         }
         *reach = pixels / 2;
@@ -240,7 +173,7 @@ fn along(x: i32, y: i32, pixels: u32) -> Span {
 
 /// What the pixels read whose x and y, relative to the primitive's origin, are in these limits; `None` where nothing tells.
 #[inline(always)]
-pub(crate) fn of_rows<const K: usize>(
+pub fn of_rows<const K: usize>(
     b: &TexBatch,
     unit: &Unit<'_, K>,
     [x, y]: [[i32; 2]; 2],
@@ -258,7 +191,7 @@ fn reads<const K: usize, const SEVERAL: bool>(
     levels: &RhoRanges,
 ) -> Option<MipRange> {
     // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
-    if is_even(unit)
+    if unit.is_even()
         && let Some((level, share)) = levels.exactly(even_rho2(unit, levels))
     {
         return Some(share.map_or(MipRange::One(level), |share| MipRange::Two(level, MipWeight::Same(share))));
@@ -275,7 +208,7 @@ mod tests {
     use super::*;
     use crate::fragment::batch::{FragmentBatch, Segment};
     use crate::fragment::planes::{Linear, Plane, Planes, UnitSlots};
-    use crate::fragment::reference::lanes::Row;
+    use crate::fragment::reference::lanes::row_positions;
     use crate::fragment::reference::texcoord::{First, whole};
     use crate::simd::LANES;
 
@@ -327,7 +260,7 @@ mod tests {
                 whole(
                     &mut b,
                     &unit,
-                    &Row::new(&Segment { len, x, y, row: true, ..Segment::default() }, &planes),
+                    row_positions(&Segment { len, x, y, row: true, ..Segment::default() }, &planes),
                     &SLOTS,
                     First { computes: true, leaves: true, shared: false },
                     true,

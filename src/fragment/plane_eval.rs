@@ -1,259 +1,342 @@
-//! Texture coordinates along a row, for stages that do whole runs: what is the same for all of a run is worked out once.
-//! Every number comes from the same expressions as in [`coordinates`](crate::fragment::reference::texcoord) and [`wide`](crate::fragment::reference::texcoord_f64), so the
-//! bits are the same.
+//! The one evaluator of planes (OpenGL 1.5, section 3.5.1). Every value that is interpolated over a primitive is
+//!
+//! ```text
+//!   clamp(c + N / D, min, max)      N = (n0 + ny dy) + nx dx,  D alike
+//! ```
+//!
+//! in `f32`, or in `f64` for primitives whose coordinates or w range too far. Both paths evaluate it by the functions of
+//! this file, generic over the number type and over where the lanes are, so that they give the same bits. Along a row the
+//! terms of y may be summed beforehand, since they come first in the sum.
 
-use crate::fragment::planes::{Linear, Plane};
-use crate::fragment::reference::interpolate::reciprocal64;
-use crate::fragment::reference::lanes::IOTA;
-use crate::fragment::reference::texcoord::Unit;
-use crate::fragment::reference::texcoord_f64::{rest, without_periods};
-use crate::num::{clamp_f32, max_f32};
+use super::planes::{GROUP, Linear, Plane, PlaneGroup};
+use crate::num::{clamp_f32, clamp01, round_f64};
+use crate::simd::LANES;
 use crate::texture::wrap::bounded::CoordBounds;
+use std::ops::{Add, Mul, Sub};
 
-/// What rounding leaves of sums, products and quotients of this many parts in `f64`, generously (1 / D has 2^-45).
-const LOST: f64 = 1.0 / (1u64 << 40) as f64;
-
-/// A linear function of the place, `(at + y dy) + x dx`; along a row y is among the rest.
-#[derive(Clone, Copy)]
-pub(crate) struct Terms<T> {
-    at: T,
-    x: T,
-    y: T,
+/// A number in which planes are evaluated.
+pub trait Real: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// A position or a limit, which is the same number in both types.
+    fn of(v: f32) -> Self;
+    /// A coefficient, rounded.
+    fn coefficient(v: f64) -> Self;
+    /// The result, rounded.
+    fn to_f32(self) -> f32;
+    /// 1 / D.
+    fn reciprocal(self) -> Self;
+    /// Limited to `min..=max`; NaN gives `min`.
+    fn limited(self, min: Self, max: Self) -> Self;
 }
 
-impl Terms<f32> {
-    /// In a row, if there is one, and rounded.
+impl Real for f32 {
     #[inline(always)]
-    pub(crate) fn new(f: &Linear, row: Option<f32>) -> Self {
-        let (at, x, y) = (f.at as f32, f.x as f32, f.y as f32);
+    fn of(v: f32) -> Self {
+        v
+    }
+
+    #[inline(always)]
+    fn coefficient(v: f64) -> Self {
+        v as f32
+    }
+
+    #[inline(always)]
+    fn to_f32(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        1.0 / self
+    }
+
+    #[inline(always)]
+    fn limited(self, min: Self, max: Self) -> Self {
+        clamp_f32(self, min, max)
+    }
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn of(v: f32) -> Self {
+        Self::from(v)
+    }
+
+    #[inline(always)]
+    fn coefficient(v: f64) -> Self {
+        v
+    }
+
+    #[inline(always)]
+    fn to_f32(self) -> f32 {
+        self as f32
+    }
+
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        reciprocal64(self)
+    }
+
+    #[inline(always)]
+    fn limited(self, min: Self, max: Self) -> Self {
+        let v = if self > min { self } else { min };
+        if v < max { v } else { max }
+    }
+}
+
+/// 1 / D with one Newton step in `f64`: what the planes of wide primitives are multiplied with.
+#[inline(always)]
+pub fn reciprocal64(d: f64) -> f64 {
+    let r = f64::from(1.0 / d as f32);
+    r * (2.0 - d * r)
+}
+
+/// Takes whole periods off: the result is within half a period of 0. `period` 0 leaves the value.
+#[inline(always)]
+pub fn without_periods(v: f64, period: f64, inverse: f64) -> f64 {
+    v - period * round_f64(v * inverse)
+}
+
+/// Between which numbers coordinates are without whole periods that were not farther from 0 than `greatest`: half a period is
+/// left of numbers that have a fraction, all of which is exact.
+#[inline(always)]
+pub fn without_periods_range(greatest: f32, period: f32) -> CoordBounds {
+    let half = 0.5 * period;
+    if greatest < 1e9 {
+        CoordBounds { least: -half, limit: half }
+    } else {
+        CoordBounds { least: -greatest, limit: greatest }
+    }
+}
+
+/// A linear function of the position, `(at + y dy) + x dx`; for a row the terms of y are in `at`.
+#[derive(Clone, Copy)]
+pub struct LinearEval<T> {
+    pub at: T,
+    pub x: T,
+    pub y: T,
+}
+
+impl<T: Real> LinearEval<T> {
+    /// A function, in a row of the primitive if there is one.
+    #[inline(always)]
+    pub fn new(f: &Linear, row: Option<f32>) -> Self {
+        let (at, x, y) = (T::coefficient(f.at), T::coefficient(f.x), T::coefficient(f.y));
         match row {
-            Some(row) => Self { at: at + y * row, x, y: 0.0 },
+            Some(row) => Self { at: at + y * T::of(row), x, y: T::of(0.0) },
             None => Self { at, x, y },
         }
     }
 }
 
-impl Terms<f64> {
-    #[inline(always)]
-    fn wide(f: &Linear, row: Option<f32>) -> Self {
-        match row {
-            Some(row) => Self { at: f.at + f.y * f64::from(row), x: f.x, y: 0.0 },
-            None => Self { at: f.at, x: f.x, y: f.y },
-        }
+/// 0, 1, 2, ...
+pub static IOTA: [f32; LANES] = {
+    let mut iota = [0.0; LANES];
+    let mut i = 0;
+    while i < LANES {
+        iota[i] = i as f32;
+        i += 1;
     }
-}
+    iota
+};
 
-/// Where N pixels are, relative to the primitive's origin.
-pub(crate) trait Place<const N: usize>: Copy {
+/// Where N lanes are, in pixels relative to the primitive's origin. Positions are whole numbers below 2^24, which `f32`
+/// holds exactly.
+pub trait Positions<const N: usize>: Copy {
+    /// Whether lanes are neighbours in a row.
+    const IS_ROW: bool;
+
     /// A function at lane i.
-    fn sum(self, f: &Terms<f32>, i: usize) -> f32;
-    /// The same in `f64`.
-    fn sum64(self, f: &Terms<f64>, i: usize) -> f64;
+    fn sum<T: Real>(self, f: &LinearEval<T>, i: usize) -> T;
 }
 
-/// Pixels of a row from this x on.
+/// Neighbours in a row from this x on, for functions of that row.
 #[derive(Clone, Copy)]
-pub(crate) struct From(pub f32);
+pub struct InRow(pub f32);
 
-impl<const N: usize> Place<N> for From {
-    #[inline(always)]
-    fn sum(self, f: &Terms<f32>, i: usize) -> f32 {
-        f.at + f.x * (self.0 + IOTA[i])
-    }
+impl<const N: usize> Positions<N> for InRow {
+    const IS_ROW: bool = true;
 
     #[inline(always)]
-    fn sum64(self, f: &Terms<f64>, i: usize) -> f64 {
-        f.at + f.x * f64::from(self.0 + IOTA[i])
+    fn sum<T: Real>(self, f: &LinearEval<T>, i: usize) -> T {
+        f.at + f.x * T::of(self.0 + IOTA[i])
     }
 }
 
-/// Pixels of a row from this x on and with this y, where functions are not those of the row.
+/// Neighbours in a row from x on, for functions of no row.
 #[derive(Clone, Copy)]
-pub(crate) struct Step {
+pub struct FromPixel {
     pub x: f32,
     pub y: f32,
 }
 
-impl<const N: usize> Place<N> for Step {
-    #[inline(always)]
-    fn sum(self, f: &Terms<f32>, i: usize) -> f32 {
-        (f.at + f.y * self.y) + f.x * (self.x + IOTA[i])
-    }
+impl<const N: usize> Positions<N> for FromPixel {
+    const IS_ROW: bool = true;
 
     #[inline(always)]
-    fn sum64(self, f: &Terms<f64>, i: usize) -> f64 {
-        (f.at + f.y * f64::from(self.y)) + f.x * f64::from(self.x + IOTA[i])
+    fn sum<T: Real>(self, f: &LinearEval<T>, i: usize) -> T {
+        (f.at + f.y * T::of(self.y)) + f.x * T::of(self.x + IOTA[i])
     }
 }
 
-/// Pixels anywhere.
-pub(crate) struct Points<const N: usize> {
+/// Lanes anywhere.
+pub struct Points<const N: usize> {
     pub x: [f32; N],
     pub y: [f32; N],
 }
 
-impl<const N: usize> Place<N> for &Points<N> {
-    #[inline(always)]
-    fn sum(self, f: &Terms<f32>, i: usize) -> f32 {
-        (f.at + f.y * self.y[i]) + f.x * self.x[i]
-    }
+impl<const N: usize> Positions<N> for &Points<N> {
+    const IS_ROW: bool = false;
 
     #[inline(always)]
-    fn sum64(self, f: &Terms<f64>, i: usize) -> f64 {
-        (f.at + f.y * f64::from(self.y[i])) + f.x * f64::from(self.x[i])
+    fn sum<T: Real>(self, f: &LinearEval<T>, i: usize) -> T {
+        (f.at + f.y * T::of(self.y[i])) + f.x * T::of(self.x[i])
     }
 }
 
-/// A plane along a row or anywhere, in `f32` or `f64`.
-#[derive(Clone, Copy)]
-pub(crate) struct Along<T> {
-    n: Terms<T>,
-    c: T,
-    min: T,
-    max: T,
-}
-
-/// The numerator of a plane.
+/// A function at all lanes.
 #[inline(always)]
-fn numerator(p: &Plane) -> Linear {
-    Linear { at: p.n0, x: p.nx, y: p.ny }
+pub fn sums<T: Real, const N: usize>(f: &LinearEval<T>, at: impl Positions<N>) -> [T; N] {
+    let mut out = [T::of(0.0); N];
+    for i in 0..N {
+        out[i] = at.sum(f, i);
+    }
+    out
 }
 
-impl Along<f32> {
-    /// A plane in a row, relative to the primitive's origin, if there is one.
+/// 1 / D at all lanes.
+#[inline(always)]
+pub fn reciprocals<T: Real, const N: usize>(d: &LinearEval<T>, at: impl Positions<N>) -> [T; N] {
+    let mut out = [T::of(0.0); N];
+    for i in 0..N {
+        out[i] = at.sum(d, i).reciprocal();
+    }
+    out
+}
+
+/// The derivative of N / D along an axis of the window: `n` and `d` are the changes of N and D, t is N / D, rq is 1 / D.
+#[inline(always)]
+pub fn derivative<T: Real>(n: T, d: T, t: T, rq: T) -> f32 {
+    ((n - t * d) * rq).to_f32()
+}
+
+/// A plane.
+#[derive(Clone, Copy)]
+pub struct PlaneEval<T> {
+    pub n: LinearEval<T>,
+    pub c: T,
+    pub min: T,
+    pub max: T,
+}
+
+impl<T: Real> PlaneEval<T> {
+    /// A plane, in a row of the primitive if there is one.
     #[inline(always)]
-    pub(crate) fn new(p: &Plane, row: Option<f32>) -> Self {
-        Self { n: Terms::new(&numerator(p), row), c: p.c, min: p.min, max: p.max }
+    pub fn new(p: &Plane, row: Option<f32>) -> Self {
+        let n = LinearEval::new(&p.numerator(), row);
+        Self { n, c: T::of(p.c), min: T::of(p.min), max: T::of(p.max) }
     }
 
-    /// A plane that is the same everywhere.
+    /// N / D at lane i, 1 / D being `rq`.
     #[inline(always)]
-    pub(crate) fn constant(v: f32) -> Self {
-        Self { n: Terms { at: 0.0, x: 0.0, y: 0.0 }, c: v, min: v, max: v }
+    pub fn offset<const N: usize>(&self, at: impl Positions<N>, i: usize, rq: T) -> T {
+        at.sum(&self.n, i) * rq
     }
 
-    /// The value at lane i where w is the same everywhere.
+    /// The value with this offset.
     #[inline(always)]
-    pub(crate) fn even<const N: usize>(&self, place: impl Place<N>, i: usize) -> f32 {
-        clamp_f32(self.c + place.sum(&self.n, i), self.min, self.max)
+    pub fn limited(&self, t: T) -> T {
+        (self.c + t).limited(self.min, self.max)
+    }
+
+    /// The value at lane i where D is 1.
+    #[inline(always)]
+    pub fn even<const N: usize>(&self, at: impl Positions<N>, i: usize) -> T {
+        self.limited(at.sum(&self.n, i))
     }
 
     /// The value at lane i, 1 / D being `rq`.
     #[inline(always)]
-    pub(crate) fn divided<const N: usize>(&self, place: impl Place<N>, i: usize, rq: f32) -> f32 {
-        clamp_f32(self.c + place.sum(&self.n, i) * rq, self.min, self.max)
+    pub fn divided<const N: usize>(&self, at: impl Positions<N>, i: usize, rq: T) -> T {
+        self.limited(self.offset(at, i, rq))
+    }
+
+    /// N / D at all lanes, with 1 / D.
+    #[inline(always)]
+    pub fn offsets<const N: usize>(&self, at: impl Positions<N>, rq: &[T; N]) -> [T; N] {
+        let mut t = [T::of(0.0); N];
+        for i in 0..N {
+            t[i] = self.offset(at, i, rq[i]);
+        }
+        t
     }
 }
 
-impl Along<f32> {
-    /// N / D, with 1 / D.
+impl PlaneEval<f32> {
+    /// The plane of a member of a group.
     #[inline(always)]
-    pub(crate) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f32; N]) -> [f32; N] {
-        let mut t = [0.0; N];
-        for i in 0..N {
-            t[i] = place.sum(&self.n, i) * rq[i];
-        }
-        t
+    pub fn of_member(p: &PlaneGroup, member: usize) -> Self {
+        let at = member % GROUP;
+        let n = LinearEval { at: p.n0[at], x: p.nx[at], y: p.ny[at] };
+        Self { n, c: p.c[at], min: p.min[at], max: p.max[at] }
+    }
+
+    /// A plane that is the same everywhere.
+    #[inline(always)]
+    pub fn constant(v: f32) -> Self {
+        Self { n: LinearEval { at: 0.0, x: 0.0, y: 0.0 }, c: v, min: v, max: v }
+    }
+
+    /// The plane of a colour channel: limits within [0, 1] save limiting the value once more.
+    #[inline(always)]
+    pub fn in_unit(p: &Plane, row: Option<f32>) -> Self {
+        Self { min: clamp01(p.min), max: clamp01(p.max), ..Self::new(p, row) }
     }
 
     /// The values with these offsets.
     #[inline(always)]
-    pub(crate) fn limited<const N: usize>(&self, t: &[f32; N]) -> [f32; N] {
+    pub fn values<const N: usize>(&self, t: &[f32; N]) -> [f32; N] {
         let mut out = [0.0; N];
         for i in 0..N {
-            out[i] = clamp_f32(self.c + t[i], self.min, self.max);
+            out[i] = self.limited(t[i]);
         }
         out
     }
-}
 
-impl Along<f64> {
-    /// N / D, with 1 / D.
+    /// Writes the values; `rw` is 1 / D, or 1 where `even` says that D is 1 everywhere.
     #[inline(always)]
-    pub(crate) fn offsets<const N: usize>(&self, place: impl Place<N>, rq: &[f64; N]) -> [f64; N] {
-        let mut t = [0.0; N];
-        for i in 0..N {
-            t[i] = place.sum64(&self.n, i) * rq[i];
-        }
-        t
-    }
-
-    #[inline(always)]
-    fn wide(p: &Plane, row: Option<f32>) -> Self {
-        let [c, min, max] = [p.c, p.min, p.max].map(f64::from);
-        Self { n: Terms::wide(&numerator(p), row), c, min, max }
-    }
-
-    /// Whether its limits change nothing from `x[0]` to `x[1]`, rounding included. With D > 0 the value rises or falls all the
-    /// way, so the two ends are its least and its greatest. `terms`: what D is the sum of in the row, without signs.
-    #[inline(always)]
-    fn inside(&self, p: &Plane, Run { x, y }: Run, (Terms { at, x: step, .. }, terms): (Divisor<f64>, f64)) -> bool {
-        let far = f64::from(x[0]).abs() + f64::from(x[1]).abs();
-        let terms = terms + step.abs() * far;
-        let n_terms = p.n0.abs() + (p.ny * f64::from(y)).abs() + p.nx.abs() * far;
-        let keeps_away = |x: i32| {
-            let x = f64::from(x);
-            let (d, n) = (at + step * x, self.n.at + self.n.x * x);
-            let (rq, t) = (1.0 / (d - LOST * terms), n / d);
-            let lost = LOST * (self.c.abs() + (n_terms + t.abs() * terms) * rq);
-            let v = self.c + t;
-            rq > 0.0 && v - lost >= self.min && v + lost <= self.max
-        };
-        keeps_away(x[0]) && keeps_away(x[1])
-    }
-
-    /// The values with these offsets, without whole periods where they repeat; `inside`: the limits change nothing.
-    #[inline(always)]
-    pub(crate) fn limited<const N: usize>(&self, t: &[f64; N], repeats: bool, inside: bool) -> [f32; N] {
-        let Self { c, min, max, .. } = *self;
-        let value = |i: usize| {
-            let v = c + t[i];
-            let v = if v > min { v } else { min };
-            if v < max { v } else { max }
-        };
-        let mut out = [0.0; N];
-        if repeats && inside {
+    pub fn fill<const N: usize>(&self, at: impl Positions<N>, rw: &[f32; N], even: bool, out: &mut [f32; N]) {
+        if even {
             for i in 0..N {
-                out[i] = without_periods(c + t[i], 1.0, 1.0) as f32;
-            }
-        } else if repeats {
-            for i in 0..N {
-                out[i] = without_periods(value(i), 1.0, 1.0) as f32;
+                out[i] = self.even(at, i);
             }
         } else {
             for i in 0..N {
-                out[i] = value(i) as f32;
+                out[i] = self.divided(at, i, rw[i]);
             }
         }
+    }
+
+    /// The values that [`fill`](Self::fill) writes.
+    #[inline(always)]
+    pub fn at<const N: usize>(&self, at: impl Positions<N>, rw: &[f32; N], even: bool) -> [f32; N] {
+        let mut out = [0.0; N];
+        self.fill(at, rw, even, &mut out);
         out
     }
 }
 
-/// 1 / D.
-#[inline(always)]
-pub(crate) fn reciprocals<const N: usize>(d: &Divisor<f64>, place: impl Place<N>) -> [f64; N] {
-    let mut rq = [0.0; N];
-    for i in 0..N {
-        rq[i] = reciprocal64(place.sum64(d, i));
-    }
-    rq
-}
-
-/// D.
-pub(crate) type Divisor<T> = Terms<T>;
-
 /// Pixels of a row relative to the primitive's origin: the first and the last x, and y.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
+pub struct RowRange {
     pub x: [i32; 2],
     pub y: i32,
 }
 
 /// What planes are worked out for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Extent {
+pub enum Extent {
     /// A part of a row.
-    Row(Run),
+    Row(RowRange),
     /// Any rows of the primitive.
     All,
 }
@@ -261,156 +344,10 @@ pub(crate) enum Extent {
 impl Extent {
     /// The row, if it is one.
     #[inline(always)]
-    pub(crate) fn row(&self) -> Option<f32> {
+    pub fn row(&self) -> Option<f32> {
         match self {
-            Self::Row(run) => Some(run.y as f32),
+            Self::Row(range) => Some(range.y as f32),
             Self::All => None,
         }
-    }
-}
-
-/// How the K coordinates of a unit come about.
-#[derive(Clone, Copy)]
-pub(crate) enum Projection<const K: usize> {
-    /// w is the same everywhere.
-    Even([Along<f32>; K]),
-    /// They are divided by D.
-    Divided([Along<f32>; K]),
-    /// The same in `f64`; whether no coordinate of the run is to be limited.
-    Wide([Along<f64>; K], Divisor<f64>, bool),
-}
-
-impl<const K: usize> Projection<K> {
-    /// Coordinates of pixels, relative to the primitive's origin.
-    #[inline(always)]
-    pub(crate) fn new(unit: &Unit<'_, K>, extent: Extent) -> Self {
-        let row = extent.row();
-        if unit.wide {
-            let planes = unit.coords.each_ref().map(|p| Along::wide(p, row));
-            let d = Terms::wide(&unit.divisor, row);
-            // Of several rows nobody has asked.
-            let mut inside = false;
-            if let Extent::Row(run) = extent {
-                let terms = unit.divisor.at.abs() + (unit.divisor.y * f64::from(run.y)).abs();
-                inside = true;
-                for k in 0..K {
-                    inside &= planes[k].inside(&unit.coords[k], run, (d, terms));
-                }
-            }
-            Self::Wide(planes, d, inside)
-        } else if unit.planes.affine {
-            Self::Even(unit.coords.each_ref().map(|p| Along::new(p, row)))
-        } else {
-            Self::Divided(unit.coords.each_ref().map(|p| Along::new(p, row)))
-        }
-    }
-
-    /// Whether they are divided by D in `f32`.
-    #[inline(always)]
-    pub(crate) fn divides(&self) -> bool {
-        matches!(self, Self::Divided(_))
-    }
-
-    /// The coordinates; `rq` is 1 / D where they are divided by it in `f32`.
-    #[inline(always)]
-    pub(crate) fn values<const N: usize>(
-        &self,
-        place: impl Place<N>,
-        rq: &[f32; N],
-        repeats: &[bool; K],
-    ) -> [[f32; N]; K] {
-        let mut out = [[0.0; N]; K];
-        match self {
-            Self::Even(planes) => {
-                for k in 0..K {
-                    for i in 0..N {
-                        out[k][i] = planes[k].even(place, i);
-                    }
-                }
-            }
-            Self::Divided(planes) => {
-                for k in 0..K {
-                    for i in 0..N {
-                        out[k][i] = planes[k].divided(place, i, rq[i]);
-                    }
-                }
-            }
-            Self::Wide(planes, d, inside) => {
-                let rq: [f64; N] = reciprocals(d, place);
-                for k in 0..K {
-                    let t = planes[k].offsets(place, &rq);
-                    out[k] = planes[k].limited(&t, repeats[k], *inside);
-                }
-            }
-        }
-        out
-    }
-}
-
-/// Between which numbers a coordinate is; `None` if it may not be finite.
-#[inline(always)]
-pub(crate) fn range<const K: usize>(unit: &Unit<'_, K>, repeats: &[bool; K], k: usize) -> Option<CoordBounds> {
-    let p = &unit.coords[k];
-    let greatest = max_f32(p.max.abs(), p.min.abs());
-    if !(p.min.is_finite() && p.max.is_finite()) {
-        return None;
-    }
-    if unit.wide && repeats[k] {
-        // As `wide_lanes` has it.
-        return Some(rest(greatest, 1.0));
-    }
-    Some(CoordBounds { least: p.min, limit: greatest })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::fragment::planes::Planes;
-
-    /// Where limits are said to change nothing they change nothing, and so it is said of most runs that keep away from them.
-    #[test]
-    fn limits_are_left_out_where_they_do_nothing() {
-        let mut state = 1u64;
-        let mut next = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        };
-        let (mut inside, mut within, mut near) = (0, 0, 0);
-        for _ in 0..40_000 {
-            let steep = 10f64.powf(-3.0 + 2.0 * next());
-            let divisor = Linear { at: 0.5 + 0.5 * next(), x: steep * next(), y: steep * next() };
-            let odd = 10f64.powf(4.0 * next());
-            let mut plane = Plane {
-                c: 0.3,
-                n0: odd * next(),
-                nx: 0.01 * odd * next(),
-                ny: 0.01 * odd * next(),
-                ..Plane::default()
-            };
-            let (y, from, len) = ((300.0 * next()) as i32, (300.0 * next()) as i32, (31.9 * (next() + 1.0)) as i32);
-            let run = Run { x: [from, from + len], y };
-            let at = |p: &Plane, x: i32| {
-                let Along { n: Terms { at, x: step, .. }, c, .. } = Along::wide(p, Some(y as f32));
-                c + (at + step * f64::from(x))
-                    * reciprocal64((divisor.at + divisor.y * f64::from(y)) + divisor.x * f64::from(x))
-            };
-            let ends = run.x.map(|x| at(&plane, x) as f32);
-            // Just so, hardly so, or far away.
-            let room = [0.0, 1e-6, 1e-3][(next().abs() * 3.0) as usize] * (1.0 + ends[0].abs());
-            (plane.min, plane.max) = (ends[0].min(ends[1]) - room, ends[0].max(ends[1]) + room);
-            let planes = Planes { d: divisor, ..Planes::default() };
-            let coords = [plane];
-            let unit = Unit { planes: &planes, coords: &coords, divisor, has_q: false, wide: true };
-            let Projection::Wide(_, _, free) = Projection::new(&unit, Extent::Row(run)) else { panic!("wide") };
-            let fits = (run.x[0]..=run.x[1]).all(|x| {
-                let v = at(&plane, x);
-                v >= f64::from(plane.min) && v <= f64::from(plane.max)
-            });
-            assert!(fits || !free, "{plane:?} over {divisor:?} in {run:?}");
-            inside += u32::from(free);
-            within += u32::from(fits);
-            near += u32::from(fits && !free);
-        }
-        assert!(inside > 10_000 && near > 100, "{inside} of {within} free of limits, {near} not seen");
     }
 }

@@ -76,6 +76,15 @@ pub struct Plane {
     pub ny: f64,
 }
 
+impl Plane {
+    /// N.
+    #[inline(always)]
+    #[must_use]
+    pub fn numerator(&self) -> Linear {
+        Linear { at: self.n0, x: self.nx, y: self.ny }
+    }
+}
+
 /// How many small primitives share a [`PlaneGroup`].
 pub const GROUP: usize = 16;
 
@@ -176,4 +185,28 @@ impl Planes {
     /// Bit of `wide`: 1/w varies so much over the primitive (by more than about 1000) that D must be summed in f64 for
     /// colours and the fog coordinate as well.
     pub const WIDE_W: u32 = 1 << 31;
+}
+
+/// One texture unit's planes of a primitive: those of its K coordinates, and the divisor.
+#[derive(Clone, Copy, Debug)]
+pub struct Unit<'a, const K: usize> {
+    /// The primitive.
+    pub planes: &'a Planes,
+    /// Its coordinates.
+    pub coords: &'a [Plane; K],
+    /// Q, or D where the unit has no q.
+    pub divisor: Linear,
+    /// Whether it has.
+    pub has_q: bool,
+    /// Whether coordinates are evaluated in `f64`.
+    pub wide: bool,
+}
+
+impl<const K: usize> Unit<'_, K> {
+    /// Whether the derivatives are the same everywhere: those of the numerators.
+    #[inline(always)]
+    pub fn is_even(&self) -> bool {
+        let d = &self.divisor;
+        self.planes.affine && !self.has_q && d.at == 1.0 && d.x == 0.0 && d.y == 0.0
+    }
 }

@@ -1,12 +1,15 @@
-//! The fragment program: the list of stages that the state needs, built once for a draw and run over every batch. What
-//! the state makes a no-op is left out (`build` decides); the list of what was kept and left out, with
-//! the reasons, stays with the program so that it can be explained.
+//! The fragment program: what a key needs, built once for a draw. It has two paths that give the same bits: the reference
+//! path, a list of stages that is run over every batch, and for the keys that have one a span kernel that does rows of a
+//! primitive without batches. What the state makes a no-op is left out (`build` decides); the list of what was kept and left
+//! out, with the reasons, stays with the program so that it can be explained.
 
-use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::planes::{Layout, PlanePool, Planes};
-use crate::fragment::reference::pack::constant;
-use crate::fragment::span::long::{COLOR, DEPTH};
-use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
+use super::batch::{FragmentBatch, Segment};
+use super::hiz::Hiz;
+use super::key::FragmentKey;
+use super::planes::{Layout, PlanePool, Planes};
+use super::reference::pack::constant;
+use super::span::kernels::SpanKernel;
+use super::uniforms::{FragFn, FragUniforms, LongFn, SpanCounts, Work};
 use crate::framebuffer::Band;
 use crate::simd::{LANES, Step, Tally};
 use crate::texture::env::EnvPlan;
@@ -85,33 +88,24 @@ pub(super) enum Action {
 /// A fragment program.
 #[derive(Clone, Debug)]
 pub struct Program {
+    /// What it was built from.
+    pub key: FragmentKey,
     /// Which values the vertex stages and setup have to provide.
     pub layout: Layout,
     /// Whether the program reads what earlier fragments wrote: then a pixel must not be twice in a batch.
     pub reads_framebuffer: bool,
-    /// Whether nothing can change by drawing: the whole draw may be dropped.
-    pub draws_nothing: bool,
     /// Whether the rasteriser has to write [`FragmentBatch::coverage`].
     pub coverage: bool,
     /// What was decided about each stage, in the order of the specification; nothing where [`Options::silent`] is set.
     pub decisions: Vec<Decision>,
     pub(super) uniforms: FragUniforms,
-    pub(super) actions: Vec<Action>,
-    /// The stage that does whole runs by itself, where the program is so simple that there is one.
-    pub(super) fill: Option<Step<FragFn>>,
-    /// The stage that does parts of runs which that one leaves, because two levels of a texture are blended.
-    pub(super) fill_levels: Option<Step<FragFn>>,
-    /// The stage that does rows of a primitive that are too short for those two, and the one that does what it leaves.
-    pub(super) rows: [Option<Step<FragFn>>; 2],
-    /// Whether the stage for whole runs reads no texture.
-    pub(super) untextured: bool,
-    /// Whether the stages for whole runs leave parts of which batches must find out the levels.
-    pub(super) levelled: bool,
-    /// The stage that says which pixels of a run the coarse depths hide.
-    pub(super) hiz_cull: Option<Step<FragFn>>,
-    /// The stage that tells the coarse depths of what a run has left behind.
-    pub(super) hiz_update: Option<Step<FragFn>>,
-    /// Whether depths may be raised, after which the coarse depths mean nothing.
+    /// The reference path: what is done with a batch.
+    pub(super) reference: Vec<Action>,
+    /// The span path: what does rows of a primitive instead, where there is a kernel for the key.
+    pub(super) span: Option<SpanKernel>,
+    /// Hierarchical depth, where it is of use to the depth test.
+    pub(super) hiz: Option<Hiz>,
+    /// Whether depths may be raised, after which hierarchical depth means nothing.
     pub(super) raises_depth: bool,
     pub(super) samplers: Vec<Sampler>,
     pub(super) environments: Option<EnvPlan>,
@@ -119,21 +113,19 @@ pub struct Program {
     pub(super) tally: Option<Tally>,
 }
 
-/// From this length on a run is worth a call of the stage that fills.
-const FILLED: u32 = 8;
-/// The same of a stage that shows a texture: shorter runs of several rows make a batch that is computed as a whole.
-const SHOWN: u32 = 48;
-/// Shorter rows than this are done together with the others of their primitive.
-const COLLECTED: u32 = 128;
-/// The same of a stage that reads no texture. Texels that are copied are so faster row by row, from [`SHOWN`] on.
-const PAINTED: u32 = 64;
-/// From this length on a run, or what is left of it, is worth a batch of its own: stages that compute whole rows are
+/// From this length on a row, or what is left of it, is worth a batch of its own: stages that compute whole rows are
 /// faster than those that go over the pieces of several, but compute unused lanes as well.
-const SPLIT: u32 = 32;
+const OWN_BATCH_FROM: u32 = 32;
 /// What a pixel costs that goes through batches, at the least, in pixels of one colour.
 pub const ORDINARY: u64 = 32;
 
 impl Program {
+    /// Whether nothing can change by drawing: the whole draw may be dropped.
+    #[must_use]
+    pub fn draws_nothing(&self) -> bool {
+        self.key.draws_nothing()
+    }
+
     /// Runs the program over a batch: `segments` and `tex.n` are set, and for lanes of segments that are no rows
     /// `offset`, `dx` and `dy`. `planes` and `pool` are the scene's. The batch can be cleared and filled again after it.
     #[inline]
@@ -147,12 +139,16 @@ impl Program {
         if self.raises_depth {
             band.hier_z.invalidate();
         }
-        let mut work = Work { planes, pool: pool.into(), band };
+        self.run_reference(batch, &mut Work { planes, pool: pool.into(), band, counts: None });
+    }
+
+    #[inline]
+    fn run_reference(&self, batch: &mut FragmentBatch, work: &mut Work<'_, '_>) {
         if let Some(tally) = &self.tally {
-            return self.run_counted(batch, &mut work, tally);
+            return self.run_counted(batch, work, tally);
         }
-        for action in &self.actions {
-            if !self.act(action, batch, &mut work) {
+        for action in &self.reference {
+            if !self.act(action, batch, work) {
                 return;
             }
         }
@@ -184,25 +180,33 @@ impl Program {
         true
     }
 
-    /// Runs of a row from this length on may be given to [`row`](Self::row).
+    /// Rows from this length on may be given to [`row`](Self::row).
     #[must_use]
     pub fn row_from(&self) -> u32 {
-        match (&self.fill, self.untextured) {
-            (Some(_), true) => FILLED,
-            (Some(_), false) => SHOWN,
-            _ => SPLIT,
-        }
+        self.span.as_ref().map_or(OWN_BATCH_FROM, |kernel| kernel.long_from)
     }
 
-    /// Shorter runs than this may be collected, those of one primitive at a time, and given to [`rows`](Self::rows).
+    /// Shorter rows than this may be collected, those of one primitive at a time, and given to [`rows`](Self::rows).
     #[must_use]
     pub fn rows_below(&self) -> u32 {
-        match (&self.rows[0], self.untextured, &self.uniforms.copied) {
-            (None, ..) => 0,
-            (_, true, _) => PAINTED,
-            (.., Some(_)) => SHOWN,
-            _ => COLLECTED,
-        }
+        self.span.as_ref().map_or(0, |kernel| kernel.short_below)
+    }
+
+    /// About what a pixel of a large primitive costs, in pixels of one colour: enough to tell whether its rows are worth
+    /// a second thread.
+    #[must_use]
+    pub fn weight(&self, planes: &Planes, pool: PlanePool<'_>) -> u64 {
+        let Some(kernel) = &self.span else { return ORDINARY };
+        let depth = if kernel.tests_depth() { 2 } else { 0 };
+        let is_flat = kernel.is_untextured() && (!kernel.has_primary_color() || self.has_one_color(planes, pool));
+        depth + if is_flat { 1 } else { kernel.pixel }
+    }
+
+    /// Whether the primary colour of a primitive that stands alone is the same everywhere.
+    fn has_one_color(&self, planes: &Planes, pool: PlanePool<'_>) -> bool {
+        let Some(slot) = self.layout.color else { return true };
+        let colors = pool.alone.get(planes.first as usize + slot..).and_then(|rest| rest.first_chunk());
+        planes.member.is_none() && colors.is_some_and(|colors| constant(colors).is_some())
     }
 
     /// Works on rows of one primitive, the segments of the batch; gives whether it has: otherwise they must come one by one.
@@ -214,43 +218,23 @@ impl Program {
         pool: impl Into<PlanePool<'a>>,
         band: &mut Band<'_>,
     ) -> bool {
+        let Some(step) = self.span.as_ref().and_then(|kernel| kernel.short.as_ref()) else { return false };
         if self.raises_depth {
             band.hier_z.invalidate();
         }
-        let mut work = Work { planes, pool: pool.into(), band };
-        for step in self.rows.iter().flatten() {
-            #[expect(unsafe_code, reason = "the level was checked when the program was built")]
-            // SAFETY: a program is built for no level that the processor does not have.
-            unsafe {
-                (step.run)(batch, &self.uniforms, &mut work, step.arg);
-            }
-            if batch.tex.n > 0 {
-                return true;
-            }
+        let mut work = Work { planes, pool: pool.into(), band, counts: self.counts() };
+        let pixels =
+            work.counts.map(|_| batch.segments.iter().take(batch.segment_count).map(|s| u64::from(s.len)).sum());
+        #[expect(unsafe_code, reason = "the level was checked when the program was built")]
+        // SAFETY: a program is built for no level that the processor does not have.
+        let done = unsafe { (step.run)(batch, &self.uniforms, &mut work, step.arg) };
+        if let (Some(counts), Some(pixels)) = (&mut work.counts, pixels)
+            && done
+        {
+            counts.fragments = pixels;
+            self.add_counts(Some(step.id), counts);
         }
-        false
-    }
-
-    /// About what a pixel of a large primitive costs, in pixels of one colour: enough to tell whether its rows are worth
-    /// a second thread.
-    #[must_use]
-    pub fn weight(&self, planes: &Planes, pool: PlanePool<'_>) -> u64 {
-        let Some(fill) = self.fill else { return ORDINARY };
-        let depth = if fill.arg & DEPTH == 0 { 0 } else { 2 };
-        let color = match (self.untextured, &self.uniforms.copied) {
-            (true, _) if fill.arg & COLOR == 0 || self.has_one_color(planes, pool) => 1,
-            (true, _) => 4,
-            (_, Some(_)) => 6,
-            _ => 24,
-        };
-        color + depth
-    }
-
-    /// Whether the primary colour of a primitive that stands alone is the same everywhere.
-    fn has_one_color(&self, planes: &Planes, pool: PlanePool<'_>) -> bool {
-        let Some(slot) = self.layout.color else { return true };
-        let colors = pool.alone.get(planes.first as usize + slot..).and_then(|rest| rest.first_chunk());
-        planes.member.is_none() && colors.is_some_and(|colors| constant(colors).is_some())
+        done
     }
 
     /// Works on pixels of one primitive and row, from its start on as many as pay: the rest, whose number is less than
@@ -264,53 +248,56 @@ impl Program {
         pool: impl Into<PlanePool<'a>>,
         band: &mut Band<'_>,
     ) -> u32 {
-        let (len, pool) = (run.len, pool.into());
-        // For all of a run as well: a copy of it in one piece is read by parts, which has to wait for it.
+        if self.span.is_some() && self.raises_depth {
+            band.hier_z.invalidate();
+        }
+        let mut work = Work { planes, pool: pool.into(), band, counts: self.counts() };
+        let done = match &self.span {
+            Some(kernel) if kernel.is_untextured() => self.span_step(&kernel.long, batch, &run, &mut work),
+            _ => self.row_in_parts(batch, run, &mut work),
+        };
+        if let Some(counts) = &work.counts {
+            self.add_counts(self.span.as_ref().map(|kernel| kernel.long.id), counts);
+        }
+        done
+    }
+
+    /// A row whose parts go now to the kernel, now through a batch.
+    fn row_in_parts(&self, batch: &mut FragmentBatch, run: Segment, work: &mut Work<'_, '_>) -> u32 {
+        let len = run.len;
+        // For all of a row as well: a copy of it in one piece is read by parts, which has to wait for it.
         let rest = |done: u32| {
             let (x, offset) = (run.x.wrapping_add(done as i32), run.offset.wrapping_add(done));
             Segment { start: 0, len: len - done, x, offset, row: true, ..run }
         };
-        if self.fill.is_some() && self.raises_depth {
-            band.hier_z.invalidate();
-        }
-        let (mut done, mut fill) = (0, self.fill.as_ref());
-        if self.untextured
-            && let Some(step) = fill
-        {
-            return self.measure(step, batch, rest(0), Work { planes, pool, band });
-        }
-        if let (Some(_), Some(step)) = (fill, &self.hiz_cull) {
-            // Before anything is worked out for a run that may be hidden as a whole.
-            done = self.measure(step, batch, rest(0), Work { planes, pool, band });
+        let (mut done, mut kernel) = (0, self.span.as_ref());
+        if let (Some(_), Some(hiz)) = (kernel, &self.hiz) {
+            // Before anything is worked out for a row that may be hidden as a whole.
+            done = self.hiz_cull(hiz, batch, &rest(0), work);
             if done == len {
                 return len;
             }
         }
-        // The first pixel that was worked on, and the first after those that were.
+        // The first pixel that went through a batch, and the first after those that did.
         let (mut first, mut last) = (len, 0);
         batch.alive = false;
         batch.lookahead.begin(len - done);
         loop {
-            if let Some(step) = fill {
-                let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
+            if let Some(span) = kernel {
+                let filled = self.span_step(&span.long, batch, &rest(done), work);
                 batch.lookahead.advance(filled);
                 done += filled;
-                if let Some(step) = self.fill_levels.as_ref().filter(|_| done < len) {
-                    let filled = self.measure(step, batch, rest(done), Work { planes, pool, band });
-                    batch.lookahead.advance(filled);
-                    done += filled;
-                }
                 // What was in its way for one batch may not be for the next one, where it has to know the level.
-                fill = fill.filter(|_| self.levelled);
+                kernel = kernel.filter(|kernel| kernel.resumes);
             }
-            if len - done < SPLIT {
+            if len - done < OWN_BATCH_FROM {
                 break;
             }
-            if let Some(step) = &self.hiz_cull
+            if let Some(hiz) = &self.hiz
                 && !batch.alive
             {
-                // At the start of the run and where nothing was alive, something may be hidden.
-                let skipped = self.measure(step, batch, rest(done), Work { planes, pool, band });
+                // At the start of the row and where nothing was alive, something may be hidden.
+                let skipped = self.hiz_cull(hiz, batch, &rest(done), work);
                 batch.lookahead.advance(skipped);
                 done += skipped;
             }
@@ -319,7 +306,10 @@ impl Program {
                 batch.segments[0] = Segment { len: n, ..rest(done) };
                 batch.segment_count = 1;
                 batch.tex.n = n as usize;
-                self.run(batch, planes, pool, band);
+                if self.raises_depth {
+                    work.band.hier_z.invalidate();
+                }
+                self.run_reference(batch, work);
                 batch.lookahead.advance(n);
                 first = first.min(done);
                 done += n;
@@ -327,34 +317,54 @@ impl Program {
             }
         }
         batch.lookahead.begin(0);
-        if let Some(step) = &self.hiz_update
+        if let Some(Hiz { update: Some(step), .. }) = &self.hiz
             && first < last
         {
-            let run = Segment { len: last - first, ..rest(first) };
-            self.measure(step, batch, run, Work { planes, pool, band });
+            self.step(step, batch, &Segment { len: last - first, ..rest(first) }, work);
         }
         done
     }
 
-    /// Runs a stage over a run of any length, of which it does some pixels from the start on, and says how many.
+    /// A step over a row, of which it does some pixels from the start on; says how many.
     #[inline]
-    fn measure(&self, step: &Step<FragFn>, batch: &mut FragmentBatch, run: Segment, work: Work<'_, '_>) -> u32 {
-        batch.segments[0] = run;
-        batch.segment_count = 1;
-        let mut work = work;
+    fn step(&self, step: &Step<LongFn>, batch: &mut FragmentBatch, run: &Segment, work: &mut Work<'_, '_>) -> u32 {
         #[expect(unsafe_code, reason = "the level was checked when the program was built")]
         // SAFETY: a program is built for no level that the processor does not have.
-        unsafe {
-            (step.run)(batch, &self.uniforms, &mut work, step.arg);
-        }
-        (batch.tex.n as u32).min(run.len)
+        let done = unsafe { (step.run)(batch, &self.uniforms, work, run, step.arg) };
+        done.min(run.len)
     }
 
-    /// The names of the stages in the order in which they run.
+    /// The kernel over a row.
+    #[inline]
+    fn span_step(&self, step: &Step<LongFn>, batch: &mut FragmentBatch, run: &Segment, work: &mut Work<'_, '_>) -> u32 {
+        let done = self.step(step, batch, run, work);
+        if let Some(counts) = &mut work.counts {
+            counts.fragments += u64::from(done);
+        }
+        done
+    }
+
+    /// How many pixels of a row hierarchical depth hides.
+    #[inline]
+    fn hiz_cull(&self, hiz: &Hiz, batch: &mut FragmentBatch, run: &Segment, work: &mut Work<'_, '_>) -> u32 {
+        let hidden = self.step(&hiz.cull, batch, run, work);
+        if let Some(counts) = &mut work.counts {
+            counts.hidden += u64::from(hidden);
+        }
+        hidden
+    }
+
+    /// Counts for the span path, where somebody wants to know.
+    #[inline]
+    fn counts(&self) -> Option<SpanCounts> {
+        self.tally.as_ref().map(|_| SpanCounts::default())
+    }
+
+    /// The names of the stages of the reference path in the order in which they run.
     #[must_use]
     pub fn stage_names(&self) -> Vec<&'static str> {
         let mut names = Vec::new();
-        for action in &self.actions {
+        for action in &self.reference {
             match action {
                 Action::Stage(step) => names.push(step.id.name()),
                 Action::Sample(i) => {
@@ -367,5 +377,12 @@ impl Program {
             }
         }
         names
+    }
+
+    /// The names of the kernels that do rows of a primitive instead: long ones, and short ones together.
+    #[must_use]
+    pub fn span_names(&self) -> Vec<&'static str> {
+        let kernel = self.span.iter();
+        kernel.flat_map(|k| std::iter::once(k.long.id).chain(k.short.map(|step| step.id))).map(|id| id.name()).collect()
     }
 }

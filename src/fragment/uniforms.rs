@@ -1,13 +1,12 @@
 //! What the fragment stages are told: the numbers of the state, already in the form in which the stages use them. Which
 //! stages run is the program's matter; nothing here selects code apart from table indices.
 
-use crate::fragment::batch::FragmentBatch;
-use crate::fragment::planes::{Layout, PlanePool, Planes};
-use crate::fragment::span::nearest::Copied;
-use crate::fragment::span::sampled::Shown;
-use crate::fragment::span::two_units::Last;
+use super::batch::{FragmentBatch, Segment};
+use super::key::SpanTexture;
+use super::planes::{Layout, Linear, Plane, PlaneGroup, PlanePool, Planes, Unit, UnitSlots};
 use crate::framebuffer::Band;
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::simd::PixelCost;
 use crate::state::color_buffer::{BlendEquation, BlendFactor};
 use crate::state::depth_stencil::StencilOp;
 use crate::texture::rho_ranges::RhoRanges;
@@ -41,12 +40,8 @@ pub struct FragUniforms {
     pub stencil: StencilUniforms,
     /// Blending.
     pub blend: BlendUniforms,
-    /// Which texels a program copies that does nothing else with textures, and no more to colours.
-    pub copied: Option<Copied>,
-    /// What a program shows that does nothing with textures but to filter one image.
-    pub shown: Option<Shown>,
-    /// What its colour is multiplied with at the end, by a program with two units.
-    pub last: Option<Last>,
+    /// What a span kernel shows, where that is a texture.
+    pub span: Option<SpanTexture>,
 }
 
 /// The numbers of the stencil test.
@@ -88,7 +83,92 @@ pub struct Work<'a, 'b> {
     pub pool: PlanePool<'a>,
     /// The rows that are drawn into.
     pub band: &'a mut Band<'b>,
+    /// What span kernels have done, if somebody counts.
+    pub counts: Option<SpanCounts>,
+}
+
+/// What span kernels have done.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SpanCounts {
+    /// Pixels that came.
+    pub fragments: u64,
+    /// Pixels that passed all tests.
+    pub passed: u64,
+    /// Pixels that hierarchical depth has hidden before.
+    pub hidden: u64,
+    /// The sums of their costs.
+    pub cost: PixelCost,
+}
+
+impl<'a> Work<'a, '_> {
+    /// The planes of a segment's primitive for a unit of K coordinates; `None` for a member of a group.
+    #[inline(always)]
+    pub fn unit<const K: usize>(&self, segment: &Segment, slots: &UnitSlots, index: u32) -> Option<Unit<'a, K>> {
+        let planes = self.planes.get(segment.prim as usize)?;
+        let first = (planes.first as usize).checked_add(slots.base)?;
+        if planes.member.is_some() {
+            return None;
+        }
+        let coords = self.pool.alone.get(first..)?.first_chunk()?;
+        let has_q = slots.has_q && !slots.cube;
+        let divisor = if has_q {
+            let q = self.pool.alone.get(first + K)?;
+            Linear { at: q.n0, x: q.nx, y: q.ny }
+        } else {
+            planes.d
+        };
+        let wide = (planes.wide >> (index & 31)) & 1 != 0 || (planes.wide & Planes::WIDE_W != 0 && !has_q);
+        Some(Unit { planes, coords, divisor, has_q, wide })
+    }
+
+    /// The primitive of a segment, which is in no group, and the planes of its slots from `slot` on.
+    #[inline(always)]
+    pub fn primitive<const K: usize>(&self, segment: &Segment, slot: usize) -> Option<(&'a Planes, &'a [Plane; K])> {
+        let planes = self.planes.get(segment.prim as usize)?;
+        let first = (planes.first as usize).checked_add(slot)?;
+        if planes.member.is_some() {
+            return None;
+        }
+        Some((planes, self.pool.alone.get(first..)?.first_chunk()?))
+    }
+
+    /// The group of a primitive that is in one, for its slots from `slot` on, and which one it is of the group.
+    #[inline(always)]
+    pub fn group<const K: usize>(&self, planes: &Planes, slot: usize) -> Option<(&'a [PlaneGroup; K], usize)> {
+        let member = planes.member?;
+        let first = (planes.first as usize).checked_add(slot)?;
+        Some((self.pool.groups.get(first..)?.first_chunk()?, member as usize))
+    }
+
+    /// Counts the logarithm by which a part's levels are found, where lambda is the same in all of it.
+    #[inline(always)]
+    pub fn count_lambda<const K: usize>(&mut self, unit: &Unit<'_, K>, levels: &Option<RhoRanges>) {
+        if let Some(counts) = &mut self.counts {
+            counts.cost.logarithms += u64::from(levels.is_some() && unit.is_even());
+        }
+    }
+
+    /// Pixels that passed so far, if somebody counts.
+    #[inline(always)]
+    pub fn passed(&self) -> u64 {
+        self.counts.map_or(0, |counts| counts.passed)
+    }
+
+    /// Adds the costs of the pixels that passed since there were `before`.
+    #[inline(always)]
+    pub fn count(&mut self, before: u64, cost: PixelCost) {
+        if let Some(counts) = &mut self.counts {
+            counts.cost += cost.times(counts.passed - before);
+        }
+    }
 }
 
 /// A fragment stage.
 pub type FragFn = for<'a, 'b> unsafe fn(&mut FragmentBatch, &FragUniforms, &mut Work<'a, 'b>, u32);
+
+/// Does a row of a primitive, or what it can of it from its start on; gives how many pixels it has done.
+pub type LongFn =
+    for<'a, 'b, 'c> unsafe fn(&mut FragmentBatch, &FragUniforms, &mut Work<'a, 'b>, &'c Segment, u32) -> u32;
+
+/// Does the rows of a primitive, which are the segments of the batch; gives whether it has.
+pub type ShortFn = for<'a, 'b> unsafe fn(&mut FragmentBatch, &FragUniforms, &mut Work<'a, 'b>, u32) -> bool;

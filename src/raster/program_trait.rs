@@ -57,7 +57,7 @@ impl FragmentProgram for Program {
     }
 
     fn draws_nothing(&self) -> bool {
-        self.draws_nothing
+        Program::draws_nothing(self)
     }
 
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>) {

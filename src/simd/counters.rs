@@ -2,6 +2,7 @@
 //! is counted unless somebody asks for it ([`Tally`] is handed to the plans); the counts tell what leaving out left out.
 
 use std::fmt;
+use std::ops::AddAssign;
 use std::sync::{Arc, Mutex};
 
 /// What one stage did.
@@ -16,6 +17,37 @@ pub struct StageCount {
     pub fragments: u64,
     /// Fragments that it killed.
     pub killed: u64,
+}
+
+/// What a pixel of a span costs, or many do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PixelCost {
+    /// Texels read.
+    pub texels: u64,
+    /// Divisions by w.
+    pub divisions: u64,
+    /// Logarithms for the level of detail.
+    pub logarithms: u64,
+    /// Texture coordinates wrapped.
+    pub wraps: u64,
+}
+
+impl PixelCost {
+    /// What so many pixels cost.
+    #[must_use]
+    pub fn times(self, n: u64) -> Self {
+        let Self { texels, divisions, logarithms, wraps } = self;
+        Self { texels: n * texels, divisions: n * divisions, logarithms: n * logarithms, wraps: n * wraps }
+    }
+}
+
+impl AddAssign for PixelCost {
+    fn add_assign(&mut self, other: Self) {
+        self.texels += other.texels;
+        self.divisions += other.divisions;
+        self.logarithms += other.logarithms;
+        self.wraps += other.wraps;
+    }
 }
 
 /// What was done since counting began.
@@ -73,6 +105,14 @@ impl Counters {
             stage.fragments += fragments;
             stage.killed += fragments.saturating_sub(left);
         }
+    }
+
+    /// Adds what the pixels of a span cost.
+    pub fn add_pixels(&mut self, cost: PixelCost) {
+        self.texels += cost.texels;
+        self.divisions += cost.divisions;
+        self.logarithms += cost.logarithms;
+        self.wraps += cost.wraps;
     }
 
     /// Adds what another one counted of vertices, primitives and levels.

@@ -9,7 +9,7 @@ mod level;
 mod stage;
 
 pub use bits::{BITS, count};
-pub use counters::{Counters, StageCount, Tally};
+pub use counters::{Counters, PixelCost, StageCount, Tally};
 pub use level::SimdLevel;
 /// Its short name within the crate.
 pub(crate) use level::SimdLevel as Level;

@@ -165,19 +165,19 @@ impl<F: Copy> Plan<F> {
 /// pub fn NAME: FnType = (b: &mut Batch, u: &Uniforms, arg: u32) { body } }` makes `pub static NAME: Stage<FnType>`.
 /// What it costs stands behind the type: `pub fn NAME: FnType [Cost::texels(4)] = ...`.
 macro_rules! stage {
-    ($($(#[$meta:meta])* $vis:vis fn $name:ident: $f:ty $([$cost:expr])? = ($($arg:ident: $ty:ty),* $(,)?) $body:block)*) => {$(
+    ($($(#[$meta:meta])* $vis:vis fn $name:ident: $f:ty $([$cost:expr])? = ($($arg:ident: $ty:ty),* $(,)?) $(-> $ret:ty)? $body:block)*) => {$(
         $(#[$meta])*
         $vis static $name: $crate::simd::Stage<$f> = {
             #[inline(always)]
-            fn body($($arg: $ty),*) $body
+            fn body($($arg: $ty),*) $(-> $ret)? $body
             #[cfg(not(all(target_arch = "x86_64", any(fixedgl_only_avx2, fixedgl_only_avx512))))]
-            fn baseline($($arg: $ty),*) { body($($arg),*) }
+            fn baseline($($arg: $ty),*) $(-> $ret)? { body($($arg),*) }
             #[cfg(all(target_arch = "x86_64", not(fixedgl_only_avx512)))]
             #[target_feature(enable = "avx2,bmi1,bmi2,popcnt,lzcnt")]
-            fn avx2($($arg: $ty),*) { body($($arg),*) }
+            fn avx2($($arg: $ty),*) $(-> $ret)? { body($($arg),*) }
             #[cfg(all(target_arch = "x86_64", not(fixedgl_only_avx2)))]
             #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl,avx512cd,avx2,bmi1,bmi2,popcnt,lzcnt")]
-            fn avx512($($arg: $ty),*) { body($($arg),*) }
+            fn avx512($($arg: $ty),*) $(-> $ret)? { body($($arg),*) }
             #[cfg(not(target_arch = "x86_64"))]
             use {baseline as avx2, baseline as avx512};
             #[cfg(all(target_arch = "x86_64", fixedgl_only_avx2))]

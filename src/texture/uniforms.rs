@@ -87,17 +87,6 @@ pub enum LinearImage {
     Rgb3d(WrappedImage<3>),
 }
 
-impl LinearImage {
-    /// The images, if they have two dimensions.
-    #[must_use]
-    pub fn in_2d(&self) -> Option<&WrappedImage<2>> {
-        match self {
-            Self::Rgb(image) | Self::Rgba(image) => Some(image),
-            Self::Rgb3d(_) => None,
-        }
-    }
-}
-
 /// What the stages of one unit's sampler read.
 #[derive(Clone, Debug)]
 pub struct SamplerUniforms {

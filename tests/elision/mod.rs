@@ -5,5 +5,6 @@
 mod random;
 mod rows;
 mod same_bytes;
+mod spans;
 mod states;
 mod table;

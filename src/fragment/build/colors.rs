@@ -2,47 +2,27 @@
 //! door); and with it the layout, since every stage that interpolates takes its slots where it is placed.
 
 use super::Builder;
-use crate::fragment::compare::Func;
+use crate::fragment::key::{FogFactor, FragmentKey};
 use crate::fragment::program::Fate;
 use crate::fragment::reference::{fog, interpolate, pack};
-use crate::fragment::uniforms::FragFn;
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::num::clamp01;
-use crate::simd::Stage;
-use crate::state::fog::FogMode;
-use crate::state::lighting::ColorControl;
 use crate::texture::env::combine;
 use crate::texture::env::combine::ColorSource;
 use crate::texture::format::BaseFormat;
 use crate::texture::object::TextureObject;
 
 impl Builder<'_> {
-    /// Everything that makes the fragment's colour. Gives whether that is the interpolated colour and nothing else, and
-    /// `packable` with it, so that it is packed as it is interpolated; then it has been, and with `direct` also stored. `blended`: the
-    /// number of the pair of factors that it is blended by.
-    pub(super) fn colors(
-        &mut self,
-        textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
-        alpha_test: Option<Func>,
-        (packable, blended): (bool, Option<u32>),
-        direct: bool,
-    ) -> bool {
-        let general = self.options.general;
-        let textured = textures.iter().any(Option::is_some);
-        let sum = self.color_sum();
-        let fog = self.fog();
-        let coverage = self.options.coverage || general;
-        let plain = packable && !textured && !sum && fog.is_none() && !coverage && alpha_test.is_none() && !general;
-        if textured {
-            let untouched = packable && !sum && fog.is_none() && !coverage && !general;
-            let bare = !sum && fog.is_none() && !coverage && !general && alpha_test.is_none();
-            self.texturing(textures, untouched, (alpha_test.is_some(), blended.filter(|_| bare)));
+    /// Everything that makes the fragment's colour. Where that is the interpolated colour and nothing else it is packed as it is
+    /// interpolated, and where no fragment can be killed also stored.
+    pub(super) fn colors(&mut self, key: &FragmentKey, textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS]) {
+        if key.textured {
+            self.texturing(key, textures);
         } else {
             self.decide("texturing", Fate::LeftOut, "no unit has an enabled and complete texture");
             self.program.layout.color = Some(self.slots(4));
             let first = self.first();
-            if plain {
-                self.push(if direct { &pack::COLOR_STORE } else { &pack::COLOR_PACKED }, first);
+            if key.is_plain() {
+                self.push(if key.stores_at_once() { &pack::COLOR_STORE } else { &pack::COLOR_PACKED }, first);
                 self.decide(
                     "colour",
                     Fate::Hoisted,
@@ -53,25 +33,30 @@ impl Builder<'_> {
                 self.decide("colour", Fate::Kept, "interpolated");
             }
         }
-        if sum {
+        if key.color_sum {
             self.program.layout.secondary = Some(self.slots(3));
             let first = self.first();
             self.push(&interpolate::SECONDARY, first);
             self.push(&fog::COLOR_SUM, 0);
         }
-        if let Some(stage) = fog {
+        if let Some(factor) = key.fog {
             self.program.layout.fog = Some(self.slots(1));
             let first = self.first();
             self.push(&interpolate::FOG_COORDINATE, first);
+            let stage = match factor {
+                FogFactor::Step => &fog::FOG_STEP,
+                FogFactor::Linear => &fog::FOG_LINEAR,
+                FogFactor::Exp => &fog::FOG_EXP,
+                FogFactor::Exp2 => &fog::FOG_EXP2,
+            };
             self.push(stage, 0);
         }
-        if coverage {
+        if key.coverage {
             if !self.options.coverage {
                 self.push(&fog::FULL_COVERAGE, 0);
             }
             self.push(&fog::COVERAGE, 0);
         }
-        plain
     }
 
     /// Whether any environment reads the primary colour: by name, or as what comes before the first unit.
@@ -110,47 +95,6 @@ impl Builder<'_> {
             last_row.to_array() != [0.0, 0.0, 0.0, 1.0]
         });
         generated || given || from_matrix
-    }
-
-    /// Whether the secondary colour is added.
-    pub(super) fn color_sum(&mut self) -> bool {
-        let light = &self.state.lighting;
-        let separate = light.model.color_control == ColorControl::SeparateSpecularColor;
-        let (on, reason) = match (light.enabled, separate, self.state.fog.color_sum) {
-            (true, true, _) => (true, "lighting gives a separate specular colour"),
-            (true, false, _) => (false, "lighting gives no separate specular colour: the secondary colour is black"),
-            (false, _, true) => (true, "GL_COLOR_SUM is on"),
-            (false, _, false) => (false, "GL_COLOR_SUM is off"),
-        };
-        self.decide("colour sum", if on { Fate::Kept } else { Fate::LeftOut }, reason);
-        on
-    }
-
-    /// The fog stage.
-    pub(super) fn fog(&mut self) -> Option<&'static Stage<FragFn>> {
-        let f = &self.state.fog;
-        let general = self.options.general;
-        let u = &mut self.program.uniforms;
-        if !f.enabled || (f.mode != FogMode::Linear && f.density == 0.0) {
-            let reason = if f.enabled { "the density is 0, so the factor is 1" } else { "GL_FOG is off" };
-            self.decide("fog", if general { Fate::Kept } else { Fate::LeftOut }, reason);
-            // Density 0 gives the factor 1, which leaves every colour as it is.
-            return general.then_some(&fog::FOG_EXP);
-        }
-        u.fog_color = [clamp01(f.color[0]), clamp01(f.color[1]), clamp01(f.color[2])];
-        u.fog_scale = f.density;
-        u.fog_end = f.end;
-        self.decide("fog", Fate::Kept, format_args!("{} for every fragment", f.mode.name()));
-        let u = &mut self.program.uniforms;
-        Some(match f.mode {
-            FogMode::Linear if f.end == f.start => &fog::FOG_STEP,
-            FogMode::Linear => {
-                u.fog_scale = (1.0 / (f64::from(f.end) - f64::from(f.start))) as f32;
-                &fog::FOG_LINEAR
-            }
-            FogMode::Exp2 => &fog::FOG_EXP2,
-            FogMode::Exp => &fog::FOG_EXP,
-        })
     }
 
     /// Back colours, strides.

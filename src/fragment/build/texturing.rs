@@ -3,12 +3,10 @@
 //! as it is made, or never leaves the packed form in which the texel was stored.
 
 use super::{Builder, Names};
+use crate::fragment::key::{Blending, EnvStep, FragmentKey, LightMap, LinearTexture, NearestTexture, SpanTexture};
 use crate::fragment::planes::UnitSlots;
 use crate::fragment::program::{Action, Fate};
 use crate::fragment::reference::{env_pack, interpolate, texcoord};
-use crate::fragment::span::nearest::Copied;
-use crate::fragment::span::sampled::Shown;
-use crate::fragment::span::two_units::Last;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::texture::{CombineFunction, CombineOperand, Env};
 use crate::texture::env::combine::{ColorSource, CombineHalf};
@@ -30,39 +28,33 @@ enum Leaves {
     Texels(u32),
     /// Rounded by the last unit's environment; the number is that of [`env_pack::ENV_PACK`]. The steps of colour and alpha where
     /// that is the only environment and there is no alpha test.
-    Packed { unit: usize, number: u32, steps: Option<[env_pack::Step; 2]> },
+    Packed { unit: usize, number: u32, steps: Option<[EnvStep; 2]> },
 }
 
 /// What a half of an environment does, if it is one of the steps that can round at once. `operands` are those that read
 /// the half's own channels.
-fn step(half: &CombineHalf, unit: usize, operands: &[CombineOperand]) -> Option<env_pack::Step> {
+fn step(half: &CombineHalf, unit: usize, operands: &[CombineOperand]) -> Option<EnvStep> {
     let args = half.args.get(..half.function.arity())?;
     if half.scale != 1.0 || !args.iter().all(|a| operands.contains(&a.operand)) {
         return None;
     }
     let texel = ColorSource::Texture(unit);
     match (half.function, args) {
-        (CombineFunction::Replace, [a]) if a.source == texel => Some(env_pack::Step::Texel),
-        (CombineFunction::Replace, [a]) if a.source == ColorSource::Previous => Some(env_pack::Step::Stays),
+        (CombineFunction::Replace, [a]) if a.source == texel => Some(EnvStep::Texel),
+        (CombineFunction::Replace, [a]) if a.source == ColorSource::Previous => Some(EnvStep::Keep),
         (CombineFunction::Modulate, [a, b])
             if [a.source, b.source] == [texel, ColorSource::Previous]
                 || [a.source, b.source] == [ColorSource::Previous, texel] =>
         {
-            Some(env_pack::Step::Product)
+            Some(EnvStep::Product)
         }
         _ => None,
     }
 }
 
 impl Builder<'_> {
-    /// Sampling and environments of all units. `untouched`: what they give is rounded and stored, with nothing between but
-    /// perhaps the alpha test.
-    pub(super) fn texturing(
-        &mut self,
-        textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS],
-        untouched: bool,
-        (alpha_test, blended): (bool, Option<u32>),
-    ) {
+    /// Sampling and environments of all units.
+    pub(super) fn texturing(&mut self, key: &FragmentKey, textures: [Option<&TextureObject>; MAX_TEXTURE_UNITS]) {
         let state = self.state;
         let mut bases: Bases = [None; MAX_TEXTURE_UNITS];
         let mut samplers: Vec<(usize, Sampler)> = Vec::new();
@@ -80,6 +72,9 @@ impl Builder<'_> {
                 self.decide(format_args!("unit {unit}"), Fate::LeftOut, reason);
             }
         }
+        // What they give is rounded and stored, with nothing between but perhaps the alpha test.
+        let untouched = key.is_packed() && key.ends_with_texturing();
+        let alpha_test = key.tests.alpha.is_some();
         let leaves = if untouched { self.leaves(&mut samplers, alpha_test) } else { Leaves::Floats };
         let reads_primary = match leaves {
             Leaves::Texels(number) => number & env_pack::PRIMARY_ALPHA != 0,
@@ -93,61 +88,68 @@ impl Builder<'_> {
         } else {
             self.decide("colour", Fate::LeftOut, "no texture environment reads the primary colour");
         }
-        if let [(unit, sampler)] = samplers.as_slice()
-            && !self.has_q(*unit, false)
-        {
-            self.runs(*unit, sampler, leaves, blended);
-        }
-        if let [first, last] = samplers.as_slice()
-            && !self.has_q(first.0, false)
-            && !self.has_q(last.0, false)
-        {
-            self.runs_of_two(first, last, leaves);
-        }
+        self.program.uniforms.span = self.span_texture(key, &samplers, leaves);
         for (unit, sampler) in samplers {
             self.unit(unit, sampler);
         }
         self.environments(bases, leaves);
     }
 
-    /// Notes what runs that are done as a whole need of the one sampler that there is.
-    fn runs(&mut self, unit: usize, sampler: &Sampler, leaves: Leaves, blended: Option<u32>) {
-        let steps = self.steps(unit, sampler, 1u32.checked_shl(unit as u32).unwrap_or(0));
-        let (unit, uniforms) = (unit as u32, &mut self.program.uniforms);
-        match leaves {
-            Leaves::Texels(0) => uniforms.copied = sampler.nearest_image().map(|from| Copied { unit, from }),
-            Leaves::Packed { steps: Some(steps), .. } => {
-                uniforms.shown = sampler.linear_image().map(|image| Shown { unit, image, steps, blend: None });
-            }
-            Leaves::Floats if blended.is_some() => {
-                let shown = |steps| Some(Shown { unit, image: sampler.linear_image()?, steps, blend: blended });
-                uniforms.shown = steps.and_then(shown);
-            }
-            _ => {}
+    /// What a span kernel shows, where the samplers and environments come to something so simple.
+    fn span_texture(&self, key: &FragmentKey, samplers: &[(usize, Sampler)], leaves: Leaves) -> Option<SpanTexture> {
+        if samplers.iter().any(|(unit, _)| self.has_q(*unit, false)) {
+            return None;
+        }
+        match samplers {
+            [(unit, sampler)] => self.one_texture(key, *unit, sampler, leaves),
+            [first, last] => self.light_mapped(first, last, leaves),
+            _ => None,
         }
     }
 
-    /// The same where the colour of one is multiplied with that of another one, which has no levels.
-    fn runs_of_two(&mut self, first: &(usize, Sampler), last: &(usize, Sampler), leaves: Leaves) {
-        let Leaves::Packed { number, .. } = leaves else { return };
-        let enabled = 1 << (first.0 & 31) | 1 << (last.0 & 31);
-        let [Some(steps), Some([color, alpha])] =
-            [first, last].map(|(unit, sampler)| self.steps(*unit, sampler, enabled))
-        else {
-            return;
+    /// That of one texture.
+    fn one_texture(&self, key: &FragmentKey, unit: usize, sampler: &Sampler, leaves: Leaves) -> Option<SpanTexture> {
+        let (steps, blend) = match (leaves, key.blend) {
+            (Leaves::Texels(0), _) => {
+                return Some(SpanTexture::Nearest(NearestTexture {
+                    unit: unit as u32,
+                    image: sampler.nearest_image()?,
+                }));
+            }
+            (Leaves::Packed { steps, .. }, _) => (steps?, None),
+            (Leaves::Floats, Some(Blending::Pair(pair))) if key.ends_with_texturing() && key.tests.alpha.is_none() => {
+                (self.steps(unit, sampler, 1u32.checked_shl(unit as u32).unwrap_or(0))?, Some(pair))
+            }
+            _ => return None,
         };
+        let unit = unit as u32;
+        let light_map = None;
+        Some(match sampler.linear_image()? {
+            LinearImage::Rgb(image) => SpanTexture::LinearRgb(LinearTexture { unit, image, steps, blend, light_map }),
+            LinearImage::Rgba(image) => SpanTexture::LinearRgba(LinearTexture { unit, image, steps, blend, light_map }),
+            LinearImage::Rgb3d(image) => {
+                SpanTexture::LinearRgb3d(LinearTexture { unit, image, steps, blend, light_map })
+            }
+        })
+    }
+
+    /// That of two opaque textures, where the colour of one is multiplied with that of another one, which has no levels.
+    fn light_mapped(&self, first: &(usize, Sampler), last: &(usize, Sampler), leaves: Leaves) -> Option<SpanTexture> {
+        let Leaves::Packed { number, .. } = leaves else { return None };
+        let enabled = 1 << (first.0 & 31) | 1 << (last.0 & 31);
+        let [steps, [color, alpha]] = [self.steps(first.0, &first.1, enabled)?, self.steps(last.0, &last.1, enabled)?];
         // Alpha of the last one is 1 everywhere.
-        let multiplies = color == env_pack::Step::Product && alpha != env_pack::Step::Texel;
+        let multiplies = color == EnvStep::Product && alpha != EnvStep::Texel;
         if !multiplies || number & env_pack::TESTED != 0 || last.1.rho_ranges.is_some() {
-            return;
+            return None;
         }
-        if let (Some(image @ LinearImage::Rgb(_)), Some(LinearImage::Rgb(other))) =
-            (first.1.linear_image(), last.1.linear_image())
-        {
-            let uniforms = &mut self.program.uniforms;
-            uniforms.shown = Some(Shown { unit: first.0 as u32, image, steps, blend: None });
-            uniforms.last = Some(Last { unit: last.0 as u32, image: other });
-        }
+        let (LinearImage::Rgb(image), LinearImage::Rgb(other)) = (first.1.linear_image()?, last.1.linear_image()?)
+        else {
+            return None;
+        };
+        let light_map = Some(LightMap { unit: last.0 as u32, image: other });
+        let unit = first.0 as u32;
+        Some(SpanTexture::LinearRgb(LinearTexture { unit, image, steps, blend: None, light_map }))
     }
 
     /// The units of which nothing comes: a later environment starts anew, and none reads their texture.
@@ -211,7 +213,7 @@ impl Builder<'_> {
             let reason = "not where the least and the greatest rho of a row leave one level";
             self.decide(format_args!("unit {unit} derivatives"), Fate::Hoisted, reason);
         }
-        self.program.actions.push(Action::Sample(self.program.samplers.len()));
+        self.program.reference.push(Action::Sample(self.program.samplers.len()));
         self.decide(format_args!("unit {unit} sampler"), Fate::Kept, Names(&sampler.plan.steps));
         if sampler.wraps {
             let reason = "with the fetch, and only where a primitive's coordinates leave 0 to 1";
@@ -247,7 +249,7 @@ impl Builder<'_> {
             let environments = EnvPlan::build_until(self.level, &units, end, self.options.general);
             self.decide("environments", Fate::Kept, Names(&environments.plan.steps));
             self.program.environments = Some(environments);
-            self.program.actions.push(Action::Environments);
+            self.program.reference.push(Action::Environments);
         }
         if let Leaves::Packed { unit, number, .. } = leaves {
             self.packed = true;
@@ -261,7 +263,7 @@ impl Builder<'_> {
     }
 
     /// What a unit's environment does with colour and alpha, if that is so simple. Bit u of `enabled`: unit u has a texture.
-    fn steps(&self, unit: usize, sampler: &Sampler, enabled: u32) -> Option<[env_pack::Step; 2]> {
+    fn steps(&self, unit: usize, sampler: &Sampler, enabled: u32) -> Option<[EnvStep; 2]> {
         let state = self.state.texture.units.get(unit)?;
         let form = combine(&state.env, sampler.base, unit, |t| t < 32 && enabled >> t & 1 != 0);
         let color = step(&form.rgb, unit, &[CombineOperand::SrcColor])?;
@@ -279,13 +281,13 @@ impl Builder<'_> {
         let tested = if alpha_test { env_pack::TESTED } else { 0 };
         let unseen = !alpha_test && self.program.uniforms.packed_or >> 24 == 0xFF;
         let texels = match alpha {
-            env_pack::Step::Texel => Some(0),
+            EnvStep::Texel => Some(0),
             _ if unseen => Some(0),
-            env_pack::Step::Stays => Some(env_pack::PRIMARY_ALPHA),
-            env_pack::Step::Product => None,
+            EnvStep::Keep => Some(env_pack::PRIMARY_ALPHA),
+            EnvStep::Product => None,
         };
         match texels {
-            Some(number) if one && color == env_pack::Step::Texel && sampler.pack() => Leaves::Texels(number | tested),
+            Some(number) if one && color == EnvStep::Texel && sampler.pack() => Leaves::Texels(number | tested),
             _ => {
                 let later = if one { 0 } else { env_pack::LATER };
                 let number = env_pack::env_pack(unit, [color, alpha], later | tested);

@@ -11,7 +11,7 @@ use crate::simd::{LANES, stage};
 
 stage! {
     /// The alpha test on bytes.
-    pub(crate) fn ALPHA_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub fn ALPHA_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let mut alpha = [0; LANES];
         for i in 0..LANES {
             alpha[i] = byte(b.tex.previous[3][i]);
@@ -21,7 +21,7 @@ stage! {
     }
 
     /// The alpha test on floats.
-    pub(crate) fn ALPHA_TEST_FLOAT: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub fn ALPHA_TEST_FLOAT: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let mut alpha = [0.0; LANES];
         for i in 0..LANES {
             alpha[i] = clamp01(b.tex.previous[3][i]);

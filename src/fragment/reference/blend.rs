@@ -87,7 +87,7 @@ fn packed<const N: usize>(
 
 /// The usual pairs of factors, by number (see [`PACKED_PAIRS`]).
 #[inline(always)]
-pub(crate) fn pair<const N: usize>(
+pub fn pair<const N: usize>(
     color: &[[f32; N]; 4],
     dst: &[u32; N],
     (scale, or): (f32, u32),
@@ -107,7 +107,7 @@ pub(crate) fn pair<const N: usize>(
 
 stage! {
     /// Blending with any factors and equation. Alpha comes last, since factors of the colours read it.
-    pub(crate) fn BLEND: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn BLEND: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for c in 0..4 {
             let half = usize::from(c == 3);
             match u.blend.equation {
@@ -130,12 +130,12 @@ stage! {
 
     /// The usual pairs of factors on packed pixels, by number (see [`PACKED_PAIRS`]): what [`BLEND`] between unpacking and
     /// packing gives, without the products by 0 and 1.
-    pub(crate) fn BLEND_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub fn BLEND_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         pair(&b.tex.previous, &b.packed_dst, (u.scale, u.packed_or), &mut b.packed, arg);
     }
 
     /// [`LOAD`](crate::fragment::reference::pack::LOAD), [`BLEND_PACKED`] and [`STORE`](crate::fragment::reference::pack::STORE) where nothing comes between them.
-    pub(crate) fn BLEND_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub fn BLEND_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let (mut dst, mut out) = ([0; LANES], [0; LANES]);
         load(places!(b), w.band.rgba8, &mut dst);
         pair(&b.tex.previous, &dst, (u.scale, u.packed_or), &mut out, arg);
@@ -154,7 +154,7 @@ const PACKED_PAIRS: [(BlendFactor, BlendFactor); 6] = [
 ];
 
 /// The number of [`BLEND_PACKED`] that does this blending, if there is one.
-pub(crate) fn packed_pair(blend: &BlendUniforms) -> Option<u32> {
+pub fn packed_pair(blend: &BlendUniforms) -> Option<u32> {
     let same = blend.src[0] == blend.src[1] && blend.dst[0] == blend.dst[1] && blend.equation == BlendEquation::Add;
     let at = PACKED_PAIRS.iter().position(|pair| *pair == (blend.src[0], blend.dst[0]))?;
     same.then_some(at as u32)

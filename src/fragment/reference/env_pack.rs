@@ -7,6 +7,7 @@
 
 use crate::fragment::batch::FragmentBatch;
 use crate::fragment::compare::{Func, any, compare};
+use crate::fragment::key::EnvStep;
 use crate::fragment::reference::pack::{byte, whole_pixel};
 use crate::fragment::reference::places::{places, store};
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
@@ -14,27 +15,16 @@ use crate::simd::{LANES, stage};
 use crate::texture::batch::{Lanes, TexBatch};
 
 /// In the number of a stage that packs: the alpha test follows, which is to see alpha as it is.
-pub(crate) const TESTED: u32 = 1;
+pub const TESTED: u32 = 1;
 /// In the number of [`PACK_TEXEL`]: alpha is that of the primary colour, not of the texel.
-pub(crate) const PRIMARY_ALPHA: u32 = 2;
+pub const PRIMARY_ALPHA: u32 = 2;
 /// In the number of [`ENV_PACK`]: the colour so far is that of the environment before, not the primary colour.
-pub(crate) const LATER: u32 = 2;
+pub const LATER: u32 = 2;
 
 const COLOR: u32 = 0x00FF_FFFF;
 
-/// What an environment does to the colour half or to alpha.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Step {
-    /// The texel takes its place.
-    Texel = 0,
-    /// The texel is multiplied with it.
-    Product = 1,
-    /// It stays.
-    Stays = 2,
-}
-
 /// The number of [`ENV_PACK`] for a unit, of what it does to colour and alpha, and flags.
-pub(crate) fn env_pack(unit: usize, [color, alpha]: [Step; 2], flags: u32) -> u32 {
+pub fn env_pack(unit: usize, [color, alpha]: [EnvStep; 2], flags: u32) -> u32 {
     flags | (unit as u32) << 2 | (color as u32) << 8 | (alpha as u32) << 10
 }
 
@@ -91,19 +81,19 @@ fn environment(tex: &TexBatch, or: u32, arg: u32, out: &mut [u32; LANES]) {
 
 stage! {
     /// The last environment and the rounding of what it gives.
-    pub(crate) fn ENV_PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub fn ENV_PACK: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         environment(&b.tex, or(u, arg), arg, &mut b.packed);
     }
 
     /// [`ENV_PACK`] and [`STORE`](crate::fragment::reference::pack::STORE) where nothing comes between them.
-    pub(crate) fn ENV_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub fn ENV_STORE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let mut out = [0; LANES];
         environment(&b.tex, or(u, arg), arg, &mut out);
         store(places!(b), &b.tex.mask, &out, w.band.rgba8);
     }
 
     /// The texels as pixels.
-    pub(crate) fn PACK_TEXEL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub fn PACK_TEXEL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let or = or(u, arg);
         if arg & PRIMARY_ALPHA == 0 {
             for i in 0..LANES {
@@ -118,7 +108,7 @@ stage! {
     }
 
     /// The alpha test on the bytes of the pixels.
-    pub(crate) fn ALPHA_TEST_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub fn ALPHA_TEST_PACKED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         let mut alpha = [0; LANES];
         for i in 0..LANES {
             alpha[i] = b.packed[i] >> 24;

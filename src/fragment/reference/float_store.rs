@@ -9,7 +9,7 @@ use crate::simd::{LANES, stage};
 
 stage! {
     /// Reads the pixels.
-    pub(crate) fn LOAD_FLOAT: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn LOAD_FLOAT: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let mut pixels = [[0.0; 4]; LANES];
         load(places!(b), w.band.float, &mut pixels);
         for c in 0..4 {
@@ -20,7 +20,7 @@ stage! {
     }
 
     /// The fragment's colour takes the place of what blending would give.
-    pub(crate) fn COPY_FLOAT: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn COPY_FLOAT: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for c in 0..4 {
             for i in 0..LANES {
                 b.dst[c][i] = clamp01(b.tex.previous[c][i]);
@@ -29,7 +29,7 @@ stage! {
     }
 
     /// Writes the channels that the colour mask lets through.
-    pub(crate) fn STORE_FLOAT: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn STORE_FLOAT: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let mut pixels = [[0.0; 4]; LANES];
         let mask = u.color_mask.to_le_bytes();
         if u.color_mask != u32::MAX {

@@ -32,7 +32,7 @@ fn mix(b: &mut FragmentBatch, u: &FragUniforms) {
 
 stage! {
     /// Adds the secondary colour.
-    pub(crate) fn COLOR_SUM: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn COLOR_SUM: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for c in 0..3 {
             let color = &mut b.tex.previous[c];
             let secondary = &b.secondary[c];
@@ -43,7 +43,7 @@ stage! {
     }
 
     /// Exponential fog.
-    pub(crate) fn FOG_EXP: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn FOG_EXP: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
             b.fog[i] = clamp01(exp_f32(-(u.fog_scale * limited(b.fog[i]))));
         }
@@ -51,7 +51,7 @@ stage! {
     }
 
     /// Squared exponential fog.
-    pub(crate) fn FOG_EXP2: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn FOG_EXP2: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
             let dc = u.fog_scale * limited(b.fog[i]);
             b.fog[i] = clamp01(exp_f32(-(dc * dc)));
@@ -60,7 +60,7 @@ stage! {
     }
 
     /// Linear fog: the scale is 1 / (e - s).
-    pub(crate) fn FOG_LINEAR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn FOG_LINEAR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
             b.fog[i] = clamp01((u.fog_end - limited(b.fog[i])) * u.fog_scale);
         }
@@ -68,7 +68,7 @@ stage! {
     }
 
     /// Linear fog that ends where it starts, which the specification leaves undefined: none before, all after.
-    pub(crate) fn FOG_STEP: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn FOG_STEP: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
             b.fog[i] = if b.fog[i] < u.fog_end { 1.0 } else { 0.0 };
         }
@@ -76,12 +76,12 @@ stage! {
     }
 
     /// Full coverage, for programs that are not to leave coverage out.
-    pub(crate) fn FULL_COVERAGE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn FULL_COVERAGE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         b.coverage = [1.0; LANES];
     }
 
     /// Alpha times the coverage of a smooth primitive.
-    pub(crate) fn COVERAGE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn COVERAGE: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         let alpha = &mut b.tex.previous[3];
         for i in 0..LANES {
             alpha[i] = clamp01(alpha[i]) * b.coverage[i];

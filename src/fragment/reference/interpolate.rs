@@ -3,106 +3,52 @@
 //! for the stages that follow.
 
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::planes::{GROUP, Plane, PlaneGroup, Planes};
+use crate::fragment::plane_eval::{
+    LinearEval, PlaneEval, Points, Positions, Real, reciprocals as all_reciprocals, sums,
+};
+use crate::fragment::planes::{Plane, PlaneGroup, Planes};
 use crate::fragment::reference::lanes::{
-    CHUNK, Chunk, Piece, Positions, Row, Rows, chunk, linear, linear64, one_primitive, pieces, positions, put,
-    single_row,
+    CHUNK, Chunk, Piece, all_positions, chunk, one_primitive, pieces, positions, put, row_positions, single_row,
 };
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
-use crate::num::clamp_f32;
 use crate::simd::{Cost, LANES, stage};
 use crate::texture::batch::Lanes;
 
-/// 1 / D with one Newton step in `f64`: what the planes of wide primitives are multiplied with.
-#[inline(always)]
-pub(crate) fn reciprocal64(d: f64) -> f64 {
-    let r = f64::from(1.0 / d as f32);
-    r * (2.0 - d * r)
-}
-
 /// 1 / D of a piece.
 #[inline(always)]
-fn reciprocal(planes: &Planes, dx: &Chunk, dy: &Chunk) -> Chunk {
-    let mut rw = [0.0; CHUNK];
+fn reciprocal(planes: &Planes, at: &Points<CHUNK>) -> Chunk {
     if planes.wide & Planes::WIDE_W != 0 {
-        let d = linear64(&planes.d, dx, dy);
-        for i in 0..CHUNK {
-            rw[i] = reciprocal64(d[i]) as f32;
-        }
+        all_reciprocals(&LinearEval::<f64>::new(&planes.d, None), at).map(Real::to_f32)
     } else {
-        let d = linear(planes.d.at as f32, planes.d.x as f32, planes.d.y as f32, dx, dy);
-        for i in 0..CHUNK {
-            rw[i] = 1.0 / d[i];
-        }
+        all_reciprocals(&LinearEval::new(&planes.d, None), at)
     }
-    rw
 }
 
-/// The value of a plane at the lanes of a piece.
+/// The value of a plane at the lanes of a piece; of a `wide` one the numerator is summed in `f64`.
 #[inline(always)]
-pub(crate) fn value(p: &Plane, wide: bool, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
-    let mut n = linear(p.n0 as f32, p.nx as f32, p.ny as f32, dx, dy);
+pub fn value(p: &Plane, wide: bool, at: &Points<CHUNK>, rw: &Chunk) -> Chunk {
+    let plane = PlaneEval::<f32>::new(p, None);
+    let mut n = sums(&plane.n, at);
     if wide {
-        for i in 0..CHUNK {
-            n[i] = ((p.n0 + p.ny * f64::from(dy[i])) + p.nx * f64::from(dx[i])) as f32;
-        }
+        n = sums(&LinearEval::<f64>::new(&p.numerator(), None), at).map(Real::to_f32);
     }
     for i in 0..CHUNK {
-        n[i] = clamp_f32(p.c + n[i] * rw[i], p.min, p.max);
+        n[i] = plane.limited(n[i] * rw[i]);
     }
     n
 }
 
 /// The same for a member of a group.
 #[inline(always)]
-pub(crate) fn value_of_member(p: &PlaneGroup, member: usize, dx: &Chunk, dy: &Chunk, rw: &Chunk) -> Chunk {
-    let at = member % GROUP;
-    let mut n = linear(p.n0[at], p.nx[at], p.ny[at], dx, dy);
-    for i in 0..CHUNK {
-        n[i] = clamp_f32(p.c[at] + n[i] * rw[i], p.min[at], p.max[at]);
-    }
-    n
-}
-
-/// The group of a primitive that is in one, for its slots from `slot` on, and which one it is of the group.
-#[inline(always)]
-pub(crate) fn group<'a, const K: usize>(
-    work: &Work<'a, '_>,
-    planes: &Planes,
-    slot: usize,
-) -> Option<(&'a [PlaneGroup; K], usize)> {
-    let member = planes.member?;
-    let first = (planes.first as usize).checked_add(slot)?;
-    Some((work.pool.groups.get(first..)?.first_chunk()?, member as usize))
-}
-
-/// The primitive of a segment, which is in no group, and the planes of its slots from `slot` on.
-#[inline(always)]
-pub(crate) fn primitive<'a, const K: usize>(
-    work: &Work<'a, '_>,
-    segment: &Segment,
-    slot: usize,
-) -> Option<(&'a Planes, &'a [Plane; K])> {
-    let planes = work.planes.get(segment.prim as usize)?;
-    let first = (planes.first as usize).checked_add(slot)?;
-    if planes.member.is_some() {
-        return None;
-    }
-    Some((planes, work.pool.alone.get(first..)?.first_chunk()?))
+pub fn value_of_member(p: &PlaneGroup, member: usize, at: &Points<CHUNK>, rw: &Chunk) -> Chunk {
+    PlaneEval::of_member(p, member).at(at, rw, false)
 }
 
 /// Makes sure that `rw` holds 1 / D: `first` is whether this stage is the first to need it.
 #[inline(always)]
-pub(crate) fn reciprocals(
-    lanes: &mut Lanes,
-    planes: &Planes,
-    first: bool,
-    piece: Piece,
-    dx: &Chunk,
-    dy: &Chunk,
-) -> Chunk {
+pub fn reciprocals(lanes: &mut Lanes, planes: &Planes, first: bool, piece: Piece, at: &Points<CHUNK>) -> Chunk {
     if first {
-        let rw = reciprocal(planes, dx, dy);
+        let rw = reciprocal(planes, at);
         put(lanes, piece, &rw);
         rw
     } else {
@@ -120,7 +66,7 @@ struct Places<'a> {
 /// Lanes of one primitive that fill the batch.
 #[inline(always)]
 fn whole<const K: usize>(
-    places: &impl Positions,
+    at: impl Positions<LANES>,
     planes: &Planes,
     pool: &[Plane; K],
     first: bool,
@@ -128,31 +74,13 @@ fn whole<const K: usize>(
     out: &mut [Lanes; K],
 ) {
     if first {
-        if planes.affine {
-            *rw = [1.0; LANES];
-        } else {
-            let (at, x, y) = (planes.d.at as f32, planes.d.x as f32, planes.d.y as f32);
-            for i in 0..LANES {
-                rw[i] = 1.0 / ((at + y * places.y(i)) + x * places.x(i));
-            }
-        }
+        *rw = if planes.affine { [1.0; LANES] } else { all_reciprocals(&LinearEval::new(&planes.d, None), at) };
     }
     for k in 0..K {
-        let p = &pool[k];
-        let (at, x, y) = (p.n0 as f32, p.nx as f32, p.ny as f32);
-        let n = |i: usize| (at + y * places.y(i)) + x * places.x(i);
-        let (c, min, max) = (p.c, p.min, p.max);
-        let out = &mut out[k];
-        if min == max {
-            *out = [max; LANES];
-        } else if planes.affine {
-            for i in 0..LANES {
-                out[i] = clamp_f32(c + n(i), min, max);
-            }
+        if pool[k].min == pool[k].max {
+            out[k] = [pool[k].max; LANES];
         } else {
-            for i in 0..LANES {
-                out[i] = clamp_f32(c + n(i) * rw[i], min, max);
-            }
+            PlaneEval::new(&pool[k], None).fill(at, rw, planes.affine, &mut out[k]);
         }
     }
 }
@@ -169,35 +97,35 @@ fn slots<const K: usize>(
 ) {
     let Some(slot) = slot else { return };
     if let Some(segment) = one_primitive(b.segments)
-        && let Some((planes, pool)) = primitive::<K>(work, &segment, slot)
+        && let Some((planes, pool)) = work.primitive::<K>(&segment, slot)
         && planes.wide & Planes::WIDE_W == 0
     {
         if b.single_row {
-            whole(&Row::new(&segment, planes), planes, pool, first, rw, out);
+            whole(row_positions(&segment, planes), planes, pool, first, rw, out);
         } else {
-            whole(&Rows::new(b.segments, b.lanes, planes), planes, pool, first, rw, out);
+            whole(&all_positions(b.segments, b.lanes, planes), planes, pool, first, rw, out);
         }
         return;
     }
     for segment in b.segments {
         if let Some(planes) = work.planes.get(segment.prim as usize)
-            && let Some((groups, member)) = group::<K>(work, planes, slot)
+            && let Some((groups, member)) = work.group::<K>(planes, slot)
         {
             for piece in pieces(segment) {
-                let (dx, dy) = positions(b.lanes, segment, planes, piece);
-                let rw = reciprocals(rw, planes, first, piece, &dx, &dy);
+                let at = positions(b.lanes, segment, planes, piece);
+                let rw = reciprocals(rw, planes, first, piece, &at);
                 for k in 0..K {
-                    put(&mut out[k], piece, &value_of_member(&groups[k], member, &dx, &dy, &rw));
+                    put(&mut out[k], piece, &value_of_member(&groups[k], member, &at, &rw));
                 }
             }
             continue;
         }
-        let Some((planes, pool)) = primitive::<K>(work, segment, slot) else { continue };
+        let Some((planes, pool)) = work.primitive::<K>(segment, slot) else { continue };
         for piece in pieces(segment) {
-            let (dx, dy) = positions(b.lanes, segment, planes, piece);
-            let rw = reciprocals(rw, planes, first, piece, &dx, &dy);
+            let at = positions(b.lanes, segment, planes, piece);
+            let rw = reciprocals(rw, planes, first, piece, &at);
             for k in 0..K {
-                let v = value(&pool[k], planes.wide & Planes::WIDE_W != 0, &dx, &dy, &rw);
+                let v = value(&pool[k], planes.wide & Planes::WIDE_W != 0, &at, &rw);
                 put(&mut out[k], piece, &v);
             }
         }
@@ -215,29 +143,29 @@ macro_rules! slots {
 }
 
 /// The cost of stages that multiply with 1 / D.
-pub(crate) const DIVIDES: Cost = Cost { divides: true, ..Cost::NONE };
+pub const DIVIDES: Cost = Cost { divides: true, ..Cost::NONE };
 
 /// Bit of a stage's number: the stage is the first that needs 1 / D.
-pub(crate) const FIRST: u32 = 1;
+pub const FIRST: u32 = 1;
 
 stage! {
     /// The primary colour, as the fragment's colour.
-    pub(crate) fn COLOR: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub fn COLOR: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.color, arg, &mut b.tex.previous);
     }
 
     /// The primary colour for texture environments, which read it by name or as what comes before the first unit.
-    pub(crate) fn PRIMARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub fn PRIMARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.color, arg, &mut b.tex.primary);
     }
 
     /// The secondary colour.
-    pub(crate) fn SECONDARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub fn SECONDARY: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.secondary, arg, &mut b.secondary);
     }
 
     /// The fog coordinate.
-    pub(crate) fn FOG_COORDINATE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub fn FOG_COORDINATE: FragFn [DIVIDES] = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         slots!(b, w, u.layout.fog, arg, std::array::from_mut(&mut b.fog));
     }
 }

@@ -3,19 +3,20 @@
 //! what a chunk computes beyond its segment is overwritten by the next segment or belongs to no fragment.
 
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::planes::{Linear, Planes};
+use crate::fragment::plane_eval::{FromPixel, IOTA, Points};
+use crate::fragment::planes::Planes;
 use crate::simd::LANES;
 use crate::texture::batch::Lanes;
 
 /// Lanes of a chunk.
-pub(crate) const CHUNK: usize = 8;
+pub const CHUNK: usize = 8;
 
 /// Floats of a chunk.
-pub(crate) type Chunk = [f32; CHUNK];
+pub type Chunk = [f32; CHUNK];
 
 /// What stands in a lane. Selecting by bits keeps loops over lanes SIMD code: `if` on values from memory becomes a choice
 /// between two addresses, lane by lane.
-pub(crate) trait Lane: Copy + Default {
+pub trait Lane: Copy + Default {
     /// `a` where the mask is all ones, `b` where it is 0.
     fn select(mask: u32, a: Self, b: Self) -> Self;
 }
@@ -48,15 +49,9 @@ impl Lane for [f32; 4] {
     }
 }
 
-/// All ones or 0.
-#[inline(always)]
-pub(crate) fn ones(yes: bool) -> u32 {
-    u32::from(yes).wrapping_neg()
-}
-
 /// Part of a segment: lanes `base..base + CHUNK`, of which those from `base + skip` on are to be written.
 #[derive(Clone, Copy)]
-pub(crate) struct Piece {
+pub struct Piece {
     pub base: usize,
     pub skip: usize,
     /// Lanes that belong to the segment, from `base + skip` on.
@@ -76,36 +71,25 @@ static EDGE: [u32; 3 * CHUNK] = {
 
 /// All ones from lane `i` (at most 8) on.
 #[inline(always)]
-pub(crate) fn from_lane(i: usize) -> &'static [u32; CHUNK] {
+pub fn from_lane(i: usize) -> &'static [u32; CHUNK] {
     EDGE.get((2 * CHUNK).wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
 }
 
 /// All ones before lane `i` (at most 8).
 #[inline(always)]
-pub(crate) fn before_lane(i: usize) -> &'static [u32; CHUNK] {
+pub fn before_lane(i: usize) -> &'static [u32; CHUNK] {
     EDGE.get(CHUNK.wrapping_sub(i)..).and_then(|e| e.first_chunk()).unwrap_or(&[0; CHUNK])
 }
 
-/// 0, 1, 2, ...
-pub(crate) static IOTA: [f32; LANES] = {
-    let mut iota = [0.0; LANES];
-    let mut i = 0;
-    while i < LANES {
-        iota[i] = i as f32;
-        i += 1;
-    }
-    iota
-};
-
 /// The pieces of a segment.
 #[inline(always)]
-pub(crate) fn pieces(segment: &Segment) -> Pieces {
+pub fn pieces(segment: &Segment) -> Pieces {
     // `sanitise` has seen to it that the segment ends within the batch.
     Pieces { first: segment.start as usize, end: segment.start as usize + segment.len as usize }
 }
 
 /// Goes over the pieces of a segment.
-pub(crate) struct Pieces {
+pub struct Pieces {
     first: usize,
     end: usize,
 }
@@ -130,7 +114,7 @@ impl Iterator for Pieces {
 /// Cuts segments that reach beyond the batch, and notes whether there are only scattered lanes. What a careful rasteriser
 /// hands over stays as it is; the stages that follow rely on it.
 #[inline(always)]
-pub(crate) fn sanitise(b: &mut FragmentBatch) {
+pub fn sanitise(b: &mut FragmentBatch) {
     let count = if b.segment_count > LANES { LANES } else { b.segment_count };
     b.segment_count = count;
     let mut scattered = true;
@@ -148,95 +132,47 @@ pub(crate) fn sanitise(b: &mut FragmentBatch) {
 
 /// Whether one row segment fills the batch from lane 0, so that stages may compute all lanes as one row.
 #[inline(always)]
-pub(crate) fn single_row(b: &FragmentBatch) -> bool {
+pub fn single_row(b: &FragmentBatch) -> bool {
     b.segment_count == 1 && b.segments[0].row && b.segments[0].start == 0
 }
 
 /// A segment of the primitive that all lanes belong to, if it is one: then stages may compute the batch as a whole.
 #[inline(always)]
-pub(crate) fn one_primitive(segments: &[Segment]) -> Option<Segment> {
+pub fn one_primitive(segments: &[Segment]) -> Option<Segment> {
     let first = segments.first()?;
     segments.iter().all(|s| s.prim == first.prim).then_some(*first)
 }
 
-/// Pixel positions of all lanes relative to the origin of their one primitive.
-pub(crate) trait Positions {
-    /// x of a lane.
-    fn x(&self, lane: usize) -> f32;
-    /// y of a lane.
-    fn y(&self, lane: usize) -> f32;
+/// Where the lanes of a row segment are that begins at lane 0.
+#[inline(always)]
+pub fn row_positions(segment: &Segment, planes: &Planes) -> FromPixel {
+    let (x, y) = row_origin(segment, planes);
+    FromPixel { x: x as f32, y: y as f32 }
 }
 
-/// Positions of a row.
-pub(crate) struct Row {
-    x: f32,
-    y: f32,
-}
-
-impl Row {
-    /// Those of a row segment that begins at lane 0.
-    #[inline(always)]
-    pub(crate) fn new(segment: &Segment, planes: &Planes) -> Self {
-        let (x, y) = row_origin(segment, planes);
-        Self { x: x as f32, y: y as f32 }
-    }
-}
-
-impl Positions for Row {
-    #[inline(always)]
-    fn x(&self, lane: usize) -> f32 {
-        self.x + IOTA[lane]
-    }
-
-    #[inline(always)]
-    fn y(&self, _lane: usize) -> f32 {
-        self.y
-    }
-}
-
-/// Positions of several rows or of single pixels.
-pub(crate) struct Rows {
-    x: Lanes,
-    y: Lanes,
-}
-
-impl Rows {
-    /// Those of all segments of a batch; `lanes` are its x and y of segments that are no rows.
-    #[inline(always)]
-    pub(crate) fn new(segments: &[Segment], lanes: (&Lanes, &Lanes), planes: &Planes) -> Self {
-        let mut rows = Self { x: [0.0; LANES], y: [0.0; LANES] };
-        for segment in segments {
-            for piece in pieces(segment) {
-                let (x, y) = positions(lanes, segment, planes, piece);
-                put(&mut rows.x, piece, &x);
-                put(&mut rows.y, piece, &y);
-            }
+/// Where all lanes of a batch of one primitive are; `lanes` are the x and y of segments that are no rows.
+#[inline(always)]
+pub fn all_positions(segments: &[Segment], lanes: (&Lanes, &Lanes), planes: &Planes) -> Points<LANES> {
+    let mut all = Points { x: [0.0; LANES], y: [0.0; LANES] };
+    for segment in segments {
+        for piece in pieces(segment) {
+            let Points { x, y } = positions(lanes, segment, planes, piece);
+            put(&mut all.x, piece, &x);
+            put(&mut all.y, piece, &y);
         }
-        rows
     }
-}
-
-impl Positions for Rows {
-    #[inline(always)]
-    fn x(&self, lane: usize) -> f32 {
-        self.x[lane]
-    }
-
-    #[inline(always)]
-    fn y(&self, lane: usize) -> f32 {
-        self.y[lane]
-    }
+    all
 }
 
 /// The lanes of a piece.
 #[inline(always)]
-pub(crate) fn chunk<T: Copy + Default>(lanes: &[T; LANES], piece: Piece) -> [T; CHUNK] {
+pub fn chunk<T: Copy + Default>(lanes: &[T; LANES], piece: Piece) -> [T; CHUNK] {
     lanes.get(piece.base..).and_then(|l| l.first_chunk()).copied().unwrap_or([T::default(); CHUNK])
 }
 
 /// Writes the lanes of a piece.
 #[inline(always)]
-pub(crate) fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHUNK]) {
+pub fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHUNK]) {
     let Some(out) = lanes.get_mut(piece.base..).and_then(|l| l.first_chunk_mut::<CHUNK>()) else { return };
     if piece.skip == 0 {
         *out = *value;
@@ -248,9 +184,9 @@ pub(crate) fn put<T: Lane>(lanes: &mut [T; LANES], piece: Piece, value: &[T; CHU
     }
 }
 
-/// Pixel positions of a piece relative to the primitive's origin.
+/// Where the lanes of a piece are, relative to the primitive's origin.
 #[inline(always)]
-pub(crate) fn positions(lanes: (&Lanes, &Lanes), segment: &Segment, planes: &Planes, piece: Piece) -> (Chunk, Chunk) {
+pub fn positions(lanes: (&Lanes, &Lanes), segment: &Segment, planes: &Planes, piece: Piece) -> Points<CHUNK> {
     if segment.row {
         let (x, y) = row_origin(segment, planes);
         // Whole numbers below 2^24: the sum is exact.
@@ -259,35 +195,15 @@ pub(crate) fn positions(lanes: (&Lanes, &Lanes), segment: &Segment, planes: &Pla
         for i in 0..CHUNK {
             dx[i] = x + IOTA[i];
         }
-        (dx, [y as f32; CHUNK])
+        Points { x: dx, y: [y as f32; CHUNK] }
     } else {
-        (chunk(lanes.0, piece), chunk(lanes.1, piece))
+        Points { x: chunk(lanes.0, piece), y: chunk(lanes.1, piece) }
     }
 }
 
 /// Position, relative to the primitive's origin, that lane 0 would have if the row segment began there.
 #[inline(always)]
-pub(crate) fn row_origin(segment: &Segment, planes: &Planes) -> (i32, i32) {
+pub fn row_origin(segment: &Segment, planes: &Planes) -> (i32, i32) {
     let x = segment.x.wrapping_sub(planes.origin[0]).wrapping_sub(segment.start as i32);
     (x, segment.y.wrapping_sub(planes.origin[1]))
-}
-
-/// A linear function in `f32`, summed in the order that all paths share: (at + y dy) + x dx.
-#[inline(always)]
-pub(crate) fn linear(at: f32, x: f32, y: f32, dx: &Chunk, dy: &Chunk) -> Chunk {
-    let mut out = [0.0; CHUNK];
-    for i in 0..CHUNK {
-        out[i] = (at + y * dy[i]) + x * dx[i];
-    }
-    out
-}
-
-/// The same in `f64`.
-#[inline(always)]
-pub(crate) fn linear64(l: &Linear, dx: &Chunk, dy: &Chunk) -> [f64; CHUNK] {
-    let mut out = [0.0; CHUNK];
-    for i in 0..CHUNK {
-        out[i] = (l.at + l.y * f64::from(dy[i])) + l.x * f64::from(dx[i]);
-    }
-    out
 }

@@ -7,7 +7,7 @@ use crate::simd::{LANES, stage};
 
 stage! {
     /// The logic op of the stage's number.
-    pub(crate) fn LOGIC_OP: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
+    pub fn LOGIC_OP: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, _w: &mut Work<'_, '_>, arg: u32) {
         // Bit 0 of the operation's number is what (s, d) = (1, 1) gives, bit 1 (1, 0), bit 2 (0, 1), bit 3 (0, 0): GL
         // has numbered the operations by their truth tables.
         let bit = |k: u32| ((arg >> k) & 1).wrapping_neg();

@@ -4,6 +4,7 @@
 pub mod alpha;
 pub mod blend;
 pub mod depth;
+pub mod early_depth;
 pub mod env_pack;
 pub mod float_store;
 pub mod fog;
@@ -14,4 +15,3 @@ pub mod pack;
 pub mod places;
 pub mod stencil;
 pub mod texcoord;
-pub mod texcoord_f64;

@@ -2,13 +2,13 @@
 //! Nothing is read or written outside the band, whatever the segments say.
 
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::compare::all;
-use crate::fragment::reference::lanes::{CHUNK, Lane, Piece, before_lane, from_lane, ones, pieces, put, sanitise};
+use crate::fragment::compare::{all, ones};
+use crate::fragment::reference::lanes::{CHUNK, Lane, Piece, before_lane, from_lane, pieces, put, sanitise};
 use crate::simd::LANES;
 
 /// Where the lanes of a batch are.
 #[derive(Clone, Copy)]
-pub(crate) struct Places<'a> {
+pub struct Places<'a> {
     pub segments: &'a [Segment],
     pub offset: &'a [u32; LANES],
     /// No segment is a row: lanes `0..n` are where `offset` says.
@@ -46,7 +46,7 @@ fn run_start(segment: &Segment, piece: Piece) -> Option<usize> {
 
 /// Reads the lanes' pixels; pixels outside the band read as the default.
 #[inline(always)]
-pub(crate) fn load<T: Lane>(places: Places<'_>, from: &[T], to: &mut [T; LANES]) {
+pub fn load<T: Lane>(places: Places<'_>, from: &[T], to: &mut [T; LANES]) {
     if let Some(run) = one_row(places.segments).and_then(|at| from.get(at..)).and_then(|r| r.first_chunk()) {
         *to = *run;
         return;
@@ -93,7 +93,7 @@ fn at(segment: &Segment, offset: &[u32; LANES], lane: usize) -> usize {
 
 /// Writes neighbouring pixels where the mask is set; if `full` says that all of it is, what was there is not read.
 #[inline(always)]
-pub(crate) fn write<T: Lane, const N: usize>(full: bool, mask: &[u32; N], from: &[T; N], to: &mut [T; N]) {
+pub fn write<T: Lane, const N: usize>(full: bool, mask: &[u32; N], from: &[T; N], to: &mut [T; N]) {
     if full {
         *to = *from;
     } else {
@@ -105,7 +105,7 @@ pub(crate) fn write<T: Lane, const N: usize>(full: bool, mask: &[u32; N], from: 
 
 /// Writes the lanes whose mask is not 0.
 #[inline(always)]
-pub(crate) fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T; LANES], to: &mut [T]) {
+pub fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T; LANES], to: &mut [T]) {
     if let Some(run) = one_row(places.segments).and_then(|at| to.get_mut(at..)).and_then(|r| r.first_chunk_mut()) {
         write(all(mask), mask, from, run);
         return;
@@ -151,7 +151,7 @@ pub(crate) fn store<T: Lane>(places: Places<'_>, mask: &[u32; LANES], from: &[T;
 
 /// The mask of the lanes in use: what a batch starts with.
 #[inline(always)]
-pub(crate) fn fresh_mask(b: &mut FragmentBatch) {
+pub fn fresh_mask(b: &mut FragmentBatch) {
     sanitise(b);
     b.tex.n = if b.tex.n > LANES { LANES } else { b.tex.n };
     let n = b.tex.n.min(LANES) as i32;

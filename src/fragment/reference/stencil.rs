@@ -3,8 +3,8 @@
 //! cases (stencil failed, depth failed, both passed) and writes the bits that the mask lets through.
 
 use crate::fragment::batch::FragmentBatch;
-use crate::fragment::compare::{Func, any, compare};
-use crate::fragment::reference::lanes::{Lane, ones};
+use crate::fragment::compare::{Func, any, compare, ones};
+use crate::fragment::reference::lanes::Lane;
 use crate::fragment::reference::places::{load, places, store};
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::simd::{LANES, stage};
@@ -33,7 +33,7 @@ fn apply(op: StencilOp, reference: u32, mask: &[u32; LANES], s: &mut [u32; LANES
 
 stage! {
     /// Reads the stencil buffer and kills the fragments that fail.
-    pub(crate) fn STENCIL_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+    pub fn STENCIL_TEST: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
         let mut bytes = [0; LANES];
         load(places!(b), w.band.stencil, &mut bytes);
         let mut masked = [0; LANES];
@@ -48,7 +48,7 @@ stage! {
     }
 
     /// Changes the stencil buffer, for all fragments that came to the stencil test.
-    pub(crate) fn STENCIL_WRITE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+    pub fn STENCIL_WRITE: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
         let s = &u.stencil;
         let (mut failed, mut depth_failed) = ([0; LANES], [0; LANES]);
         for i in 0..LANES {

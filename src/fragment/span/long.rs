@@ -1,82 +1,51 @@
-//! Fill: runs of a row, of any length, of programs that do nothing but test depth (OpenGL 1.5, section 4.1.6) and store an
-//! interpolated colour. One stage does it all, block by block, without a batch in between: depth is computed, compared and
-//! written, then the colour of what passed is computed and written. Blocks are of 64 pixels, the last of a run of 16.
-//! Every number comes from the same expressions as in the stages of batches, so the bits are the same.
+//! Long spans: a row of a primitive, of any length, block by block without a batch in between (OpenGL 1.5, section 4.1.6):
+//! depth is computed, compared and written, then the colour of what passed is computed and written. Blocks are of 64
+//! pixels, the last ones of a row of 16.
 
+use super::shader::{Part, SpanShader, SpanSource};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::compare::{Func, compare, holds, living};
-use crate::fragment::lod_bounds::{self, MipRange};
-use crate::fragment::plane_eval::{self, Extent, From, Place};
-use crate::fragment::planes::Planes;
-use crate::fragment::reference::depth::WRITE;
-use crate::fragment::reference::interpolate::primitive;
+use crate::fragment::hiz::{hiz_cull, hiz_update, uses_hiz};
+use crate::fragment::lod_bounds;
+use crate::fragment::mip_range::MipRange;
+use crate::fragment::plane_eval::{Extent, InRow, RowRange};
+use crate::fragment::planes::{Planes, Unit};
+use crate::fragment::reference::depth::{DepthSlope, WRITE, lanes};
 use crate::fragment::reference::lanes::row_origin;
-use crate::fragment::reference::pack::Paint;
 use crate::fragment::reference::places::write;
-use crate::fragment::reference::texcoord::{Unit, unit};
-use crate::fragment::span::depth::{Slope, coarse, hiz_cull, hiz_update, lanes};
-use crate::fragment::span::levels::Between;
-use crate::fragment::span::sampled::{Flat, Solid};
-use crate::fragment::span::two_units::TwoImages;
-use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
-use crate::simd::{LANES, stage};
-use crate::texture::filter::linear_rgba8::{RGB, RGBA};
+use crate::fragment::uniforms::{FragUniforms, Work};
+use crate::simd::{LANES, PixelCost};
 
-/// Bits of [`FILL`]'s number above those of the depth test: depth is tested, colour is written.
-pub(crate) const DEPTH: u32 = 1 << 4;
-pub(crate) const COLOR: u32 = 1 << 5;
+/// Bits of a kernel's argument above those of the depth test: depth is tested, colour is written.
+pub const DEPTH: u32 = 1 << 4;
+pub const COLOR: u32 = 1 << 5;
 
-/// From this length on it pays to look at the depths that a run leaves behind: whole blocks, for the sake of other runs.
-const LOOK_FROM: usize = 32;
-/// Pixels of the last blocks of a run.
+/// From this length on it pays to look at the depths that a row leaves behind: whole blocks, for the sake of other rows.
+const HIZ_UPDATE_FROM: usize = 32;
+/// Pixels of the last blocks of a row.
 const SHORT: usize = 16;
 
-/// What gives a run its colours.
-pub(crate) trait SpanShader {
-    /// Whether what is there before is blended with.
-    const BLENDS: bool = false;
+/// The depth test of a row.
+struct DepthTest {
+    slope: DepthSlope,
+    func: Func,
+    writes: bool,
+}
 
-    /// The pixels at a place; `out` holds what is there before where that is blended with.
-    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]);
-
-    /// Writes the pixels of a row from x on, relative to the primitive's origin.
+impl DepthTest {
+    /// That of a kernel's argument along `len` pixels from (x, y) on; `None` where there is none.
     #[inline(always)]
-    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let mut pixels = if Self::BLENDS { *to } else { [0; N] };
-        self.pixels(From(x as f32), &mut pixels);
-        *to = pixels;
-    }
-
-    /// The same where the mask is set.
-    #[inline(always)]
-    fn some<const N: usize>(&self, x: i32, mask: &[u32; N], to: &mut [u32; N]) {
-        let mut pixels = if Self::BLENDS { *to } else { [0; N] };
-        self.pixels(From(x as f32), &mut pixels);
-        write(false, mask, &pixels, to);
+    fn new(planes: &Planes, (x, y, len): (i32, i32, u32), u: &FragUniforms, arg: u32) -> Option<Self> {
+        let last = x.wrapping_add(len.wrapping_sub(1).cast_signed());
+        let slope = || DepthSlope::new(&planes.z, y, u.depth_max).between(x, last);
+        (arg & DEPTH != 0).then(|| Self { slope: slope(), func: Func::from_arg(arg >> 1), writes: arg & WRITE != 0 })
     }
 }
 
-/// The same pixel everywhere.
-struct Same(u32);
-
-impl SpanShader for Same {
-    #[inline(always)]
-    fn pixels<const N: usize>(&self, _place: impl Place<N>, out: &mut [u32; N]) {
-        *out = [self.0; N];
-    }
-}
-
-impl SpanShader for Paint {
-    #[inline(always)]
-    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
-        Paint::pixels(self, place, out);
-    }
-}
-
-/// What all blocks of a run need.
-struct Run<S> {
-    depth: Option<(Slope, Func, bool)>,
-    source: Option<S>,
+/// What all blocks of a row need.
+struct Row<'a, S> {
+    depth: Option<DepthTest>,
+    shader: Option<&'a S>,
 }
 
 /// What became of a block.
@@ -90,113 +59,129 @@ enum Block {
     Outside,
 }
 
-impl<S: SpanShader> Run<S> {
-    /// `N` pixels from `at` on, of which the first `n` are of the run; lane 0 is at `x`, relative to the primitive's
+impl<S: SpanShader> Row<'_, S> {
+    /// `N` pixels from `at` on, of which the first `n` are of the row; lane 0 is at `x`, relative to the primitive's
     /// origin.
     #[inline(always)]
     fn block<const N: usize>(&self, w: &mut Work<'_, '_>, at: usize, x: i32, n: usize) -> Block {
         let mut color = None;
-        if let Some(source) = &self.source {
+        if let Some(shader) = self.shader {
             let Some(pixels) = w.band.rgba8.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
                 return Block::Outside;
             };
-            color = Some((source, pixels));
+            color = Some((shader, pixels));
         }
-        let mut mask = lanes::<N>(n);
         let mut full = n == N;
-        if let Some((slope, func, writes)) = &self.depth {
-            let Some(depth) = w.band.depth.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
+        let mut depth = None;
+        if let Some(DepthTest { slope, func, writes }) = &self.depth {
+            let Some(buffer) = w.band.depth.get_mut(at..).and_then(|r| r.first_chunk_mut::<N>()) else {
                 return Block::Outside;
             };
             let mut z = [0; N];
             slope.depths(x, &mut z);
-            full &= holds(*func, &z, depth);
-            if full {
-                if *writes {
-                    *depth = z;
-                }
-            } else {
-                compare(*func, &z, depth, &mut mask);
+            full &= holds(*func, &z, buffer);
+            if full && *writes {
+                *buffer = z;
+            }
+            depth = Some((z, *func, *writes, buffer));
+        }
+        if S::IS_SMALL && full {
+            if let Some(counts) = &mut w.counts {
+                counts.passed += N as u64;
+            }
+            if let Some((shader, pixels)) = color {
+                shader.pixels(InRow(x as f32), &[0; N], pixels);
+            }
+            return Block::Alive;
+        }
+        let mut mask = [0; N];
+        if !full {
+            mask = if n == N { [u32::MAX; N] } else { lanes(n) };
+            if let Some((z, func, writes, buffer)) = depth {
+                compare(func, &z, buffer, &mut mask);
                 // Of a few pixels it takes longer to know than to go on.
                 if N > SHORT && living(&mask) == 0 {
                     return Block::Dead;
                 }
-                if *writes {
-                    write(false, &mask, &z, depth);
+                if writes {
+                    write(false, &mask, &z, buffer);
                 }
-                if let Some((source, pixels)) = color {
-                    source.some(x, &mask, pixels);
-                }
-                return Block::Alive;
             }
         }
-        match color {
-            Some((source, pixels)) if full => source.all(x, pixels),
-            Some((source, pixels)) => source.some(x, &mask, pixels),
-            None => {}
+        if let Some(counts) = &mut w.counts {
+            counts.passed += if full { N as u64 } else { u64::from(living(&mask)) };
+        }
+        if let Some((shader, pixels)) = color {
+            let mut out = [0; N];
+            shader.pixels(InRow(x as f32), pixels, &mut out);
+            write(full, &mask, &out, pixels);
         }
         Block::Alive
     }
 
-    /// The next pixel of a run from its pixel `from` on that the coarse depths do not hide.
+    /// The next pixel of a row from its pixel `from` on that hierarchical depth does not hide.
     #[inline(always)]
     fn skip(&self, w: &Work<'_, '_>, run: &Segment, x: i32, from: usize) -> usize {
-        let Some((slope, func, _)) = &self.depth else { return from };
+        let Some(DepthTest { slope, func, .. }) = &self.depth else { return from };
         let (first, step) = (from as u32, from as i32);
         let rest = Segment { x: run.x.wrapping_add(step), len: run.len - first, ..*run };
         from + hiz_cull(w.band, &rest, slope, x.wrapping_add(step), *func) as usize
     }
-}
 
-/// The depth test of a stage's number along a row: `None` where there is none, else with the function and whether depths
-/// are written.
-#[inline(always)]
-fn depth_test(
-    planes: &Planes,
-    (x, y, len): (i32, i32, u32),
-    u: &FragUniforms,
-    arg: u32,
-) -> Option<(Slope, Func, bool)> {
-    let last = x.wrapping_add(len.wrapping_sub(1).cast_signed());
-    let slope = || Slope::new(&planes.z, y, u.depth_max).between(x, last);
-    (arg & DEPTH != 0).then(|| (slope(), Func::from_arg(arg >> 1), arg & WRITE != 0))
-}
-
-/// The run of a segment that begins at x, relative to the primitive's origin; gives how many of its pixels are done.
-#[inline(always)]
-fn run<S: SpanShader>(w: &mut Work<'_, '_>, segment: &Segment, x0: i32, run: &Run<S>) -> usize {
-    let (len, at) = (segment.len as usize, segment.offset as usize);
-    let mut done = run.skip(w, segment, x0, 0);
-    let first = done;
-    while done < len {
-        let (at, x) = (at + done, x0.wrapping_add(done as i32));
-        let left = len - done;
-        let (block, n) = if left >= LANES {
-            (run.block::<LANES>(w, at, x, LANES), LANES)
-        } else {
-            let n = if left > SHORT { SHORT } else { left };
-            (run.block::<SHORT>(w, at, x, n), n)
-        };
-        match block {
-            Block::Outside => break,
-            Block::Alive => done += n,
-            Block::Dead => done = run.skip(w, segment, x0, done + n),
+    /// The row of a segment that begins at x, relative to the primitive's origin; gives how many of its pixels are done.
+    #[inline(always)]
+    fn run(&self, w: &mut Work<'_, '_>, segment: &Segment, x0: i32) -> usize {
+        let (len, at) = (segment.len as usize, segment.offset as usize);
+        let mut done = self.skip(w, segment, x0, 0);
+        let first = done;
+        while done < len {
+            let (at, x) = (at + done, x0.wrapping_add(done as i32));
+            let left = len - done;
+            let (block, n) = if left >= LANES {
+                (self.block::<LANES>(w, at, x, LANES), LANES)
+            } else {
+                let n = if left > SHORT { SHORT } else { left };
+                (self.block::<SHORT>(w, at, x, n), n)
+            };
+            match block {
+                Block::Outside => break,
+                Block::Alive => done += n,
+                Block::Dead => done = self.skip(w, segment, x0, done + n),
+            }
         }
+        if let Some(DepthTest { func, writes: true, .. }) = self.depth
+            && done - first >= HIZ_UPDATE_FROM
+            && uses_hiz(func)
+        {
+            let (x, offset) = (segment.x.wrapping_add(first as i32), segment.offset.wrapping_add(first as u32));
+            hiz_update(w.band, &Segment { x, offset, ..*segment }, done - first);
+        }
+        done
     }
-    if let Some((_, func, true)) = run.depth
-        && done - first >= LOOK_FROM
-        && coarse(func)
-    {
-        let (x, offset) = (segment.x.wrapping_add(first as i32), segment.offset.wrapping_add(first as u32));
-        hiz_update(w.band, &Segment { x, offset, ..*segment }, done - first);
+}
+
+/// A row whose pixels all have one shader, or none; gives how many of its pixels are done.
+#[inline(always)]
+pub fn whole_row<S: SpanShader>(
+    u: &FragUniforms,
+    w: &mut Work<'_, '_>,
+    (segment, planes): (&Segment, &Planes),
+    arg: u32,
+    shader: Option<&S>,
+) -> u32 {
+    let (x, y) = row_origin(segment, planes);
+    let row = Row { depth: DepthTest::new(planes, (x, y, segment.len), u, arg), shader };
+    let (before, done) = (w.passed(), row.run(w, segment, x) as u32);
+    if w.counts.is_some() {
+        w.count(before, row.shader.map_or(PixelCost::default(), S::cost));
     }
     done
 }
 
-/// The part of a run, with `left` pixels from (x, y) on, that the same images serve, and their levels; `None` at the end, and
-/// where there are levels and no limits tell which.
+/// The part of a row, with `left` pixels from (x, y) on, that reads the same mipmap levels, and these; `None` at the end, and
+/// where there are levels and no bounds tell which.
 #[inline(always)]
-fn reads<const K: usize>(
+fn next_part<const K: usize>(
     b: &mut FragmentBatch,
     u: &FragUniforms,
     (unit, index): (&Unit<'_, K>, u32),
@@ -209,144 +194,36 @@ fn reads<const K: usize>(
     }
 }
 
-/// What is left of a run when so many of its pixels are done.
+/// A row of a textured primitive, part by part; gives how many of its pixels are done.
 #[inline(always)]
-fn rest(run: &Segment, done: u32, len: u32) -> Segment {
-    Segment { x: run.x.wrapping_add(done as i32), offset: run.offset.wrapping_add(done), len, ..*run }
-}
-
-/// So many pixels from (x, y) on.
-#[inline(always)]
-fn along(x: i32, y: i32, n: u32) -> Extent {
-    Extent::Row(plane_eval::Run { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y })
-}
-
-/// What gives the parts of a run that read the same levels of one unit's image their pixels.
-pub(crate) trait Parts<const K: usize> {
-    /// The pixels of a part.
-    type SpanShader: SpanShader;
-
-    /// The unit's index.
-    fn unit(&self) -> u32;
-
-    /// The source for a part of a run; `None` where batches must do it.
-    fn source(&self, u: &FragUniforms, w: &Work<'_, '_>, part: &Part<'_, K>) -> Option<Self::SpanShader>;
-}
-
-/// A part of a primitive.
-pub(crate) struct Part<'a, const K: usize> {
-    pub segment: Segment,
-    pub extent: Extent,
-    pub unit: Unit<'a, K>,
-    pub reads: MipRange,
-}
-
-/// The run of the first segment, part by part; leaves in `tex.n` how many of its pixels are done.
-#[inline(always)]
-fn parts<const K: usize, P: Parts<K>>(
+pub fn textured_row<const K: usize, S: SpanSource<K>>(
     b: &mut FragmentBatch,
     u: &FragUniforms,
     w: &mut Work<'_, '_>,
+    segment: &Segment,
     arg: u32,
-    of: Option<P>,
-) {
-    b.tex.n = 0;
-    let segment = b.segments[0];
-    let (Some(planes), Some(of)) = (w.planes.get(segment.prim as usize), of) else { return };
-    let (x, y) = row_origin(&segment, planes);
-    let Some(Some(slots)) = u.layout.units.get(of.unit() as usize) else { return };
+    source: S,
+) -> u32 {
+    let Some(planes) = w.planes.get(segment.prim as usize) else { return 0 };
+    let (x, y) = row_origin(segment, planes);
+    let Some(Some(slots)) = u.layout.units.get(source.unit() as usize) else { return 0 };
     let mut done = 0;
-    while let Some(unit) = unit::<K>(w, &segment, slots, of.unit())
+    while let Some(unit) = w.unit::<K>(segment, slots, source.unit())
         && let x = x.wrapping_add(done as i32)
-        && let Some((reads, n)) = reads(b, u, (&unit, of.unit()), (x, y, segment.len - done))
+        && let Some((levels, n)) = next_part(b, u, (&unit, source.unit()), (x, y, segment.len - done))
     {
-        let part = Part { segment: rest(&segment, done, n), extent: along(x, y, n), unit, reads };
-        let Some(source) = of.source(u, w, &part) else { break };
-        let depth = depth_test(planes, (x, y, n), u, arg);
-        let did = run(w, &part.segment, x, &Run { depth, source: Some(source) }) as u32;
+        let extent = Extent::Row(RowRange { x: [x, x.wrapping_add(n.wrapping_sub(1).cast_signed())], y });
+        let (at, offset) = (segment.x.wrapping_add(done as i32), segment.offset.wrapping_add(done));
+        let part = Part { segment: Segment { x: at, offset, len: n, ..*segment }, extent, unit, levels };
+        w.count_lambda(&unit, u.levels.get(source.unit() as usize).unwrap_or(&None));
+        // By reference: a shader is large, and would be copied field by field.
+        let shader = source.shader(u, w, &part);
+        let Some(shader) = &shader else { break };
+        let did = whole_row(u, w, (&part.segment, planes), arg, Some(shader));
         done += did;
         if did < n {
             break;
         }
     }
-    b.tex.n = done as usize;
-}
-
-stage! {
-    /// The run of the first segment; leaves in `tex.n` how many of its pixels it has done. The rest, which is at the end of
-    /// the buffers or of a primitive whose planes need `f64`, must go through batches.
-    pub(crate) fn FILL: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        b.tex.n = 0;
-        let segment = b.segments[0];
-        let Some(planes) = w.planes.get(segment.prim as usize) else { return };
-        let (x, y) = row_origin(&segment, planes);
-        let mut paint = None;
-        if arg & COLOR != 0 {
-            let planes = u.layout.color.and_then(|slot| primitive::<4>(w, &segment, slot));
-            paint = planes.and_then(|(planes, pool)| Paint::new(planes, pool, Some(y), u.packed_or));
-            if paint.is_none() {
-                return;
-            }
-        }
-        let depth = depth_test(planes, (x, y, segment.len), u, arg);
-        let (len, at) = (segment.len as usize, segment.offset as usize);
-        if depth.is_none() && let Some(Paint::Flat(packed)) = paint {
-            if let Some(pixels) = w.band.rgba8.get_mut(at..at + len) {
-                pixels.fill(packed);
-                b.tex.n = len;
-            }
-            return;
-        }
-        // Apart, so that neither loop asks of which kind it is.
-        b.tex.n = match paint {
-            Some(Paint::Flat(packed)) => run(w, &segment, x, &Run { depth, source: Some(Same(packed)) }),
-            _ => run(w, &segment, x, &Run { depth, source: paint }),
-        };
-    }
-
-    /// The same with the nearest texel of one image in the place of a colour. What it does not do (at the end of the
-    /// buffers, or coordinates far from 0) must go through batches.
-    pub(crate) fn FILL_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.copied.as_ref());
-    }
-
-    /// The same with what one linearly filtered image shows: three channels in two dimensions.
-    pub(crate) fn FILL_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
-    }
-
-    /// [`FILL_RGB`] with four channels.
-    pub(crate) fn FILL_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
-    }
-
-    /// [`FILL_RGB`] in three dimensions.
-    pub(crate) fn FILL_RGB_3D: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.shown.as_ref().and_then(Solid::of));
-    }
-
-    /// [`FILL_RGB`] with blending.
-    pub(crate) fn FILL_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
-    }
-
-    /// [`FILL_RGBA`] with blending.
-    pub(crate) fn FILL_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
-    }
-
-    /// [`FILL_RGB`] of two units, and between levels.
-    pub(crate) fn FILL_TWO_UNITS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, TwoImages::of(u));
-    }
-
-    /// What [`FILL_RGB`] leaves of a run because two levels are blended.
-    pub(crate) fn FILL_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
-    }
-
-    /// What [`FILL_RGBA`] leaves of a run because two levels are blended.
-    pub(crate) fn FILL_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        parts(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
-    }
+    done
 }

@@ -1,11 +1,11 @@
-//! How much of each of two levels pixels along a row read (OpenGL 1.5, section 3.8.8), for stages that do whole runs: where
-//! limits of rho say which two levels a part of a run blends ([`detail`](crate::fragment::lod_bounds)), what is left of lambda is its
-//! fraction, and where they say along which axis rho is greater, the derivatives of that one are enough. Every number comes
-//! from the same expressions as in the stages of batches, so the bits are the same.
+//! The weights of the second of two mipmap levels along a span (OpenGL 1.5, section 3.8.8): where bounds of rho say which
+//! two levels a part blends (`lod_bounds`), what is left of lambda is the fraction, and where they say along which axis rho
+//! is greater, the derivatives of that one are enough.
 
-use crate::fragment::lod_bounds::{Axis, MipWeight};
-use crate::fragment::plane_eval::{Place, Projection};
-use crate::fragment::reference::texcoord::Unit;
+use super::projection::{Projection, wide_values};
+use crate::fragment::mip_range::{Axis, MipWeight};
+use crate::fragment::plane_eval::{Positions, Real, derivative, reciprocals};
+use crate::fragment::planes::Unit;
 use crate::num::{log2_f32, max_f32};
 use crate::texture::rho_ranges::RhoRanges;
 
@@ -27,7 +27,7 @@ enum Lambda<const K: usize> {
 }
 
 /// What all blocks of a run need to find the weight of the second of two levels.
-pub(crate) struct Mixing<const K: usize> {
+pub struct MipFraction<const K: usize> {
     lambda: Lambda<K>,
     scale: [f32; K],
     bias: f32,
@@ -41,7 +41,7 @@ fn add(k: usize, texels: f32, rho2: &mut f32) {
 }
 
 /// The square of rho of a unit whose derivatives are the same everywhere, as fragments compute it.
-pub(crate) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &RhoRanges) -> f32 {
+pub fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &RhoRanges) -> f32 {
     let (mut x, mut y) = (0.0, 0.0);
     for k in 0..K {
         let (plane, scale) = (&unit.coords[k], levels.scale[k] as f32);
@@ -51,18 +51,18 @@ pub(crate) fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &RhoRanges) 
     max_f32(x, y)
 }
 
-impl<const K: usize> Mixing<K> {
-    /// For a part of a run that reads `level` and such a share of the next one.
+impl<const K: usize> MipFraction<K> {
+    /// For a part of a run that reads `level` and so much of the next one.
     #[inline(always)]
-    pub(crate) fn new(unit: &Unit<'_, K>, levels: &RhoRanges, level: u32, share: MipWeight) -> Option<Self> {
+    pub fn new(unit: &Unit<'_, K>, levels: &RhoRanges, level: u32, weight: MipWeight) -> Option<Self> {
         let (mut x, mut y) = (Slope { n: [0.0; K], d: unit.divisor.x }, Slope { n: [0.0; K], d: unit.divisor.y });
         let mut scale = [0.0; K];
         for k in 0..K {
             (x.n[k], y.n[k]) = (unit.coords[k].nx, unit.coords[k].ny);
             scale[k] = levels.scale[k] as f32;
         }
-        let lambda = match share {
-            MipWeight::Same(share) => Lambda::Same(share),
+        let lambda = match weight {
+            MipWeight::Same(weight) => Lambda::Same(weight),
             MipWeight::By(_) if unit.planes.affine && !unit.wide => return None,
             MipWeight::By(Axis::X) => Lambda::One(x),
             MipWeight::By(Axis::Y) => Lambda::One(y),
@@ -85,76 +85,67 @@ impl<const K: usize> Mixing<K> {
 
     /// The squares of rho along an axis, with the offsets t = N / D of the coordinates and 1 / D.
     #[inline(always)]
-    fn wide<const N: usize>(&self, slope: &Slope<K>, t: &[[f64; N]; K], rq: &[f64; N]) -> [f32; N] {
+    fn rho2<T: Real, const N: usize>(&self, slope: &Slope<K>, t: &[[T; N]; K], rq: &[T; N]) -> [f32; N] {
         let mut rho2 = [0.0; N];
         for k in 0..K {
-            let (n, d) = (slope.n[k], slope.d);
+            let (n, d) = (T::coefficient(slope.n[k]), T::coefficient(slope.d));
             for i in 0..N {
-                self.add(k, ((n - t[k][i] * d) * rq[i]) as f32, &mut rho2[i]);
+                self.add(k, derivative(n, d, t[k][i], rq[i]), &mut rho2[i]);
             }
         }
         rho2
     }
 
-    /// The same in `f32`.
+    /// The squares of rho: those along one axis, or the greater ones.
     #[inline(always)]
-    fn narrow<const N: usize>(&self, slope: &Slope<K>, t: &[[f32; N]; K], rq: &[f32; N]) -> [f32; N] {
-        let mut rho2 = [0.0; N];
-        for k in 0..K {
-            let (n, d) = (slope.n[k] as f32, slope.d as f32);
-            for i in 0..N {
-                self.add(k, (n - t[k][i] * d) * rq[i], &mut rho2[i]);
+    fn greatest_rho2<T: Real, const N: usize>(&self, t: &[[T; N]; K], rq: &[T; N], rho2: &mut [f32; N]) {
+        match &self.lambda {
+            Lambda::One(slope) => *rho2 = self.rho2(slope, t, rq),
+            Lambda::Two([a, b]) => {
+                let (a, b) = (self.rho2(a, t, rq), self.rho2(b, t, rq));
+                for i in 0..N {
+                    rho2[i] = max_f32(a[i], b[i]);
+                }
             }
+            Lambda::Same(_) => {}
         }
-        rho2
+    }
+
+    /// Logarithms that a pixel takes.
+    pub fn logarithms(&self) -> u64 {
+        u64::from(!matches!(self.lambda, Lambda::Same(_)))
     }
 
     /// The coordinates, and the weights of the second level; `rw` is 1 / D where it is needed in `f32`.
     #[inline(always)]
-    pub(crate) fn values<const N: usize>(
+    pub fn values<const N: usize, P: Positions<N>>(
         &self,
-        form: &Projection<K>,
-        place: impl Place<N>,
+        projection: &Projection<K>,
+        at: P,
         rw: &[f32; N],
         repeats: &[bool; K],
     ) -> ([[f32; N]; K], [f32; N]) {
         let (mut out, mut rho2) = ([[0.0; N]; K], [0.0; N]);
-        match (&self.lambda, form) {
-            (Lambda::Same(fraction), _) => return (form.values(place, rw, repeats), [*fraction; N]),
-            (lambda, Projection::Wide(planes, d, inside)) => {
-                let rq = crate::fragment::plane_eval::reciprocals(d, place);
-                let mut t = [[0.0; N]; K];
-                for k in 0..K {
-                    t[k] = planes[k].offsets(place, &rq);
-                    out[k] = planes[k].limited(&t[k], repeats[k], *inside);
-                }
-                match lambda {
-                    Lambda::One(slope) => rho2 = self.wide(slope, &t, &rq),
-                    Lambda::Two([a, b]) => {
-                        let (a, b) = (self.wide(a, &t, &rq), self.wide(b, &t, &rq));
-                        for i in 0..N {
-                            rho2[i] = max_f32(a[i], b[i]);
-                        }
-                    }
-                    Lambda::Same(_) => {}
-                }
+        match projection {
+            _ if let Lambda::Same(fraction) = &self.lambda => {
+                return (projection.values(at, rw, repeats), [*fraction; N]);
             }
-            (lambda, Projection::Even(planes) | Projection::Divided(planes)) => {
+            Projection::Wide(planes, d, inside) => {
+                let rq: [f64; N] = reciprocals(d, at);
                 let mut t = [[0.0; N]; K];
                 for k in 0..K {
-                    t[k] = planes[k].offsets(place, rw);
-                    out[k] = planes[k].limited(&t[k]);
+                    t[k] = planes[k].offsets(at, &rq);
+                    out[k] = wide_values(&planes[k], &t[k], repeats[k], *inside);
                 }
-                match lambda {
-                    Lambda::One(slope) => rho2 = self.narrow(slope, &t, rw),
-                    Lambda::Two([a, b]) => {
-                        let (a, b) = (self.narrow(a, &t, rw), self.narrow(b, &t, rw));
-                        for i in 0..N {
-                            rho2[i] = max_f32(a[i], b[i]);
-                        }
-                    }
-                    Lambda::Same(_) => {}
+                self.greatest_rho2(&t, &rq, &mut rho2);
+            }
+            Projection::Even(planes) | Projection::Divided(planes) => {
+                let mut t = [[0.0; N]; K];
+                for k in 0..K {
+                    t[k] = planes[k].offsets(at, rw);
+                    out[k] = planes[k].values(&t[k]);
                 }
+                self.greatest_rho2(&t, rw, &mut rho2);
             }
         }
         for i in 0..N {

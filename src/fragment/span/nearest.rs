@@ -1,32 +1,24 @@
-//! Runs of a row, of any length, of programs that test depth and put the nearest texel of one 8-bit image in the place of
-//! the colour (OpenGL 1.5, sections 3.8.7, 3.8.8 and 3.8.13): what [`fill`](crate::fragment::span::long) does for interpolated colours.
-//! What is the same for all of a run (planes in its row, limits, wraps) is worked out once; then each block goes from
-//! positions to texels without a batch in between, and where all its fragments are alive texels are copied straight into
-//! the framebuffer. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
+//! The span shader of the nearest texel of one 8-bit texture in the place of the colour (OpenGL 1.5, sections 3.8.7, 3.8.8
+//! and 3.8.13). What is the same for all of a part (planes in its row, limits, wraps) is worked out once; then each block goes
+//! from positions to texels, and texels that are neighbours are copied straight into the framebuffer.
 
-use crate::fragment::lod_bounds::MipRange;
-use crate::fragment::plane_eval::{Divisor, Extent, From, Place, Projection, Terms, range};
-use crate::fragment::reference::texcoord::Unit;
-use crate::fragment::span::long::{Part, Parts, SpanShader};
+use super::projection::{Projection, range};
+use super::shader::{Part, SpanShader, SpanSource};
+use crate::fragment::key::NearestTexture;
+use crate::fragment::mip_range::MipRange;
+use crate::fragment::plane_eval::{Extent, LinearEval, Positions, Real};
+use crate::fragment::planes::Unit;
 use crate::fragment::uniforms::{FragUniforms, Work};
+use crate::simd::PixelCost;
 use crate::texture::filter::{self, neighbours};
 use crate::texture::uniforms::WrappedImage;
 use crate::texture::wrap::bounded::NearestWrap;
 
-/// The images that a program copies texels from, and the unit whose coordinates say which.
-#[derive(Clone, Debug)]
-pub struct Copied {
-    /// The unit's index.
-    pub unit: u32,
-    /// The images and their wraps.
-    pub from: WrappedImage<2>,
-}
-
-/// What all blocks of a run need to find their texels.
-pub(crate) struct Texels<'a> {
-    form: Projection<2>,
+/// What all blocks of a part need to find their texels.
+pub struct NearestTexels<'a> {
+    projection: Projection<2>,
     /// D, if coordinates are divided by it in `f32`.
-    d: Option<Divisor<f32>>,
+    d: Option<LinearEval<f32>>,
     column: NearestWrap,
     row: NearestWrap,
     repeats: [bool; 2],
@@ -36,8 +28,8 @@ pub(crate) struct Texels<'a> {
     or: u32,
 }
 
-impl<'a> Parts<2> for &'a Copied {
-    type SpanShader = Texels<'a>;
+impl<'a> SpanSource<2> for &'a NearestTexture {
+    type Shader = NearestTexels<'a>;
 
     #[inline(always)]
     fn unit(&self) -> u32 {
@@ -45,13 +37,13 @@ impl<'a> Parts<2> for &'a Copied {
     }
 
     #[inline(always)]
-    fn source(&self, u: &FragUniforms, _w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<Texels<'a>> {
-        let MipRange::One(level) = part.reads else { return None };
-        Texels::new(&part.unit, &self.from, level, part.extent, u.packed_or)
+    fn shader(&self, u: &FragUniforms, _w: &Work<'_, '_>, part: &Part<'_, 2>) -> Option<NearestTexels<'a>> {
+        let MipRange::One(level) = part.levels else { return None };
+        NearestTexels::new(&part.unit, &self.image, level, part.extent, u.packed_or)
     }
 }
 
-impl<'a> Texels<'a> {
+impl<'a> NearestTexels<'a> {
     /// The texels, of a level, of a run; `None` where something is not as it is as a rule: coordinates that are not finite or
     /// too far from 0 for the simple wrap.
     #[inline(always)]
@@ -60,74 +52,71 @@ impl<'a> Texels<'a> {
         let wrap = |k: usize| NearestWrap::new(repeats[k], range(unit, &repeats, k)?.limit, level.size[k]);
         let (column, row) = (wrap(0)?, wrap(1)?);
         let (origin, stride, texels) = (level.origin, level.stride, filter::texels(level));
-        let form = Projection::new(unit, extent);
-        let d = form.divides().then(|| Terms::new(&unit.divisor, extent.row()));
-        Some(Self { form, d, column, row, repeats, origin, stride, texels, or })
+        let projection = Projection::new(unit, extent);
+        let d = projection.divides().then(|| LinearEval::new(&unit.divisor, extent.row()));
+        Some(Self { projection, d, column, row, repeats, origin, stride, texels, or })
     }
 
-    /// Where the texel at (s, t) is.
+    /// The index of the texel at (s, t).
     #[inline(always)]
-    fn place(&self, s: f32, t: f32) -> u32 {
+    fn index(&self, s: f32, t: f32) -> u32 {
         let start = self.origin.wrapping_add(self.row.index(t).wrapping_mul(self.stride));
         start.wrapping_add(self.column.index(s))
     }
 
-    /// Where the texels of pixels are.
+    /// The indices of the texels of pixels.
     #[inline(always)]
-    fn places<const N: usize>(&self, place: impl Place<N>) -> [u32; N] {
-        let mut at = [0; N];
-        match (&self.form, &self.d) {
+    fn indices<const N: usize, P: Positions<N>>(&self, at: P) -> [u32; N] {
+        let mut index = [0; N];
+        match (&self.projection, &self.d) {
             (Projection::Even([s, t]), _) => {
                 for i in 0..N {
-                    at[i] = self.place(s.even(place, i), t.even(place, i));
+                    index[i] = self.index(s.even(at, i), t.even(at, i));
                 }
             }
             (Projection::Divided([s, t]), Some(d)) => {
                 for i in 0..N {
-                    let rq = 1.0 / place.sum(d, i);
-                    at[i] = self.place(s.divided(place, i, rq), t.divided(place, i, rq));
+                    let rq = at.sum(d, i).reciprocal();
+                    index[i] = self.index(s.divided(at, i, rq), t.divided(at, i, rq));
                 }
             }
             _ => {
-                let [s, t] = self.form.values(place, &[1.0; N], &self.repeats);
+                let [s, t] = self.projection.values(at, &[1.0; N], &self.repeats);
                 for i in 0..N {
-                    at[i] = self.place(s[i], t[i]);
+                    index[i] = self.index(s[i], t[i]);
                 }
             }
         }
-        at
-    }
-
-    /// The pixels of the texels at these places.
-    #[inline(always)]
-    fn found<const N: usize>(&self, at: &[u32; N], out: &mut [u32; N]) {
-        // As copies: the compiler cannot tell that what is written is not read from here.
-        let (texels, or) = (self.texels, self.or);
-        for i in 0..N {
-            let Some(&texel) = texels.get(at[i] as usize) else { break };
-            out[i] = texel | or;
-        }
+        index
     }
 }
 
-impl SpanShader for Texels<'_> {
-    #[inline(always)]
-    fn pixels<const N: usize>(&self, place: impl Place<N>, out: &mut [u32; N]) {
-        self.found(&self.places(place), out);
-    }
+impl SpanShader for NearestTexels<'_> {
+    const IS_SMALL: bool = true;
 
     #[inline(always)]
-    fn all<const N: usize>(&self, x: i32, to: &mut [u32; N]) {
-        let at = self.places::<N>(From(x as f32));
-        if let Projection::Even(_) = self.form
+    fn pixels<const N: usize, P: Positions<N>>(&self, at: P, _below: &[u32; N], out: &mut [u32; N]) {
+        let index = self.indices(at);
+        // As copies: the compiler cannot tell that what is written is not read from here.
+        let (texels, or) = (self.texels, self.or);
+        if P::IS_ROW
+            && let Projection::Even(_) = self.projection
             && let Some(run) =
-                neighbours(&at).and_then(|first| self.texels.get(first..)).and_then(|t| t.first_chunk::<N>())
+                neighbours(&index).and_then(|first| texels.get(first..)).and_then(|t| t.first_chunk::<N>())
         {
             for i in 0..N {
-                to[i] = run[i] | self.or;
+                out[i] = run[i] | or;
             }
             return;
         }
-        self.found(&at, to);
+        for i in 0..N {
+            let Some(&texel) = texels.get(index[i] as usize) else { break };
+            out[i] = texel | or;
+        }
+    }
+
+    fn cost(&self) -> PixelCost {
+        let divisions = u64::from(!matches!(self.projection, Projection::Even(_)));
+        PixelCost { texels: 1, divisions, wraps: 2, ..PixelCost::default() }
     }
 }

@@ -1,26 +1,22 @@
-//! Rows of one primitive that are too short to be runs of their own, all at once: what is the same for all of it (planes,
-//! wraps, levels, what the environment comes to) is worked out once, and depth is tested row by row. Of textured ones what is
-//! alive is gathered until there are 64 pixels, so that filters work on full blocks whatever the shape is and however much
-//! of it is hidden. Every number comes from the same expressions as in the stages of batches, so the bits are the same.
+//! Short spans: the rows of one primitive that are too short to be done each by itself, all at once. What is the same for
+//! all of it (planes, wraps, levels, what the environment comes to) is worked out once, and depth is tested row by row. Of
+//! textured ones what is alive is gathered until there are 64 pixels, so that filters work on full blocks whatever the shape
+//! is and however much of it is hidden.
 
+use super::long::DEPTH;
+use super::shader::{Part, SpanShader, SpanSource};
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::compare::{Func, any, compare, digits};
-use crate::fragment::lod_bounds::{self, MipRange};
-use crate::fragment::plane_eval::{Extent, Points, Step};
+use crate::fragment::compare::{Func, any, compare, digits, living};
+use crate::fragment::hiz::{hiz_cull, uses_hiz};
+use crate::fragment::lod_bounds;
+use crate::fragment::mip_range::MipRange;
+use crate::fragment::plane_eval::{Extent, FromPixel, Points};
 use crate::fragment::planes::Planes;
-use crate::fragment::reference::depth::WRITE;
-use crate::fragment::reference::interpolate::primitive;
+use crate::fragment::reference::depth::{DepthSlope, WRITE, lanes};
 use crate::fragment::reference::lanes::row_origin;
-use crate::fragment::reference::pack::Paint;
 use crate::fragment::reference::places::write;
-use crate::fragment::reference::texcoord::unit;
-use crate::fragment::span::depth::{Slope, coarse, hiz_cull, lanes};
-use crate::fragment::span::levels::Between;
-use crate::fragment::span::long::{DEPTH, Part, Parts, SpanShader};
-use crate::fragment::span::sampled::Flat;
-use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
-use crate::simd::{BITS, LANES, stage};
-use crate::texture::filter::linear_rgba8::{RGB, RGBA};
+use crate::fragment::uniforms::{FragUniforms, Work};
+use crate::simd::{BITS, LANES};
 
 /// Pixels whose depth is tested at a time.
 const STEP: usize = 16;
@@ -31,14 +27,14 @@ const WIDE: usize = 32;
 const FEW: usize = 16;
 /// Depths of a cache line.
 const LINE: usize = 16;
-/// Rows from this length on are asked for whether the coarse depths hide them.
-const HIDES: u32 = 64;
+/// Rows from this length on, in pixels, are looked for in hierarchical depth.
+const HIZ_FROM: u32 = 64;
 /// What a list holds: up to 64 pixels, and what a step may add.
 const ROOM: usize = LANES + STEP + 8;
 
-/// Pixels that are alive.
+/// A list of pixels that are alive.
 #[repr(align(64))]
-struct List {
+struct LivePixels {
     /// Their distance from the first row's first pixel: 2^16 y + x + 2^15.
     place: [u32; ROOM],
     /// Where they are in the buffers.
@@ -46,7 +42,7 @@ struct List {
     n: usize,
 }
 
-impl List {
+impl LivePixels {
     /// Appends the pixels that have a bit, of 16 from a place on.
     #[inline(always)]
     fn append(&mut self, bits: u32, place: u32, offset: u32) {
@@ -87,7 +83,7 @@ impl List {
     #[inline(always)]
     fn shade<const N: usize, S: SpanShader>(
         &self,
-        source: &S,
+        shader: &S,
         (start, n): (usize, usize),
         origin: [i32; 2],
         pixels: &mut [u32],
@@ -105,13 +101,13 @@ impl List {
             points.x[i] = ((place & 0xFFFF).cast_signed() + origin[0]) as f32;
             points.y[i] = ((place >> 16).cast_signed() + origin[1]) as f32;
         }
-        let mut out = [0; N];
-        if S::BLENDS {
-            for (out, at) in out.iter_mut().zip(offsets).take(n) {
+        let (mut below, mut out) = ([0; N], [0; N]);
+        if shader.blends() {
+            for (out, at) in below.iter_mut().zip(offsets).take(n) {
                 *out = pixels.get(*at as usize).copied().unwrap_or(0);
             }
         }
-        source.pixels(&points, &mut out);
+        shader.pixels(&points, &below, &mut out);
         for (out, at) in out.iter().zip(offsets).take(n) {
             if let Some(pixel) = pixels.get_mut(*at as usize) {
                 *pixel = *out;
@@ -136,7 +132,7 @@ impl Test {
 
     /// Which of the first `n` pixels from x on pass.
     #[inline(always)]
-    fn pass<const N: usize>(self, slope: &Slope, x: i32, n: u32, depth: &mut [u32; N]) -> [u32; N] {
+    fn pass<const N: usize>(self, slope: &DepthSlope, x: i32, n: u32, depth: &mut [u32; N]) -> [u32; N] {
         let mut z = [0; N];
         slope.depths(x, &mut z);
         let mut mask = lanes::<N>(n as usize);
@@ -149,7 +145,7 @@ impl Test {
 
     /// A bit for each of the first `n` pixels from x on that passes.
     #[inline(always)]
-    fn bits(self, slope: &Slope, x: i32, n: u32, depth: &mut [u32], offset: u32) -> u32 {
+    fn bits(self, slope: &DepthSlope, x: i32, n: u32, depth: &mut [u32], offset: u32) -> u32 {
         if let Some(depth) = chunk(depth, offset) {
             return digits(&self.pass::<STEP>(slope, x, n, depth));
         }
@@ -172,10 +168,10 @@ fn chunk<const N: usize>(buffer: &mut [u32], at: u32) -> Option<&mut [u32; N]> {
 
 /// Depth along a row of a primitive.
 #[inline(always)]
-fn slope(row: &Segment, planes: &Planes, u: &FragUniforms) -> Slope {
+fn slope(row: &Segment, planes: &Planes, u: &FragUniforms) -> DepthSlope {
     let (x, y) = row_origin(row, planes);
     let last = x.wrapping_add(row.len.wrapping_sub(1).cast_signed());
-    Slope::new(&planes.z, y, u.depth_max).between(x, last)
+    DepthSlope::new(&planes.z, y, u.depth_max).between(x, last)
 }
 
 /// Between which numbers x and y of some rows are, relative to the primitive's origin.
@@ -191,14 +187,14 @@ fn limits(rows: &[Segment], planes: &Planes) -> [[i32; 2]; 2] {
     [[least[0], greatest[0]], [least[1], greatest[1]]]
 }
 
-/// Takes pixels off the rows' starts that the coarse depths hide.
+/// Takes pixels off the rows' starts that hierarchical depth hides.
 #[inline(always)]
 fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_>, func: Func) {
-    if !coarse(func) {
+    if !uses_hiz(func) {
         return;
     }
     for row in rows {
-        if row.len >= HIDES {
+        if row.len >= HIZ_FROM {
             let x = row.x.wrapping_sub(planes.origin[0]);
             let n = hiz_cull(w.band, row, &slope(row, planes, u), x, func);
             *row = Segment {
@@ -229,42 +225,46 @@ fn touch(rows: &[Segment], depth: &[u32]) {
     std::hint::black_box(sum);
 }
 
-/// What an image gives the rows of the batch's segments, all of one primitive; leaves in `tex.n` how many of them are done, which
-/// is all or none.
+/// Colours the rows of a textured primitive, which are the segments of the batch; gives whether it has.
 #[inline(always)]
-fn textured<const K: usize, P: Parts<K>>(
+pub fn textured_rows<const K: usize, S: SpanSource<K>>(
     b: &mut FragmentBatch,
     u: &FragUniforms,
     w: &mut Work<'_, '_>,
     arg: u32,
-    of: Option<P>,
-) {
-    b.tex.n = 0;
+    source: S,
+) -> bool {
     let rows = b.segments.get(..b.segment_count).unwrap_or(&[]);
-    let Some(first) = rows.first() else { return };
-    let (Some(planes), Some(of)) = (w.planes.get(first.prim as usize), of) else { return };
-    let Some(Some(slots)) = u.layout.units.get(of.unit() as usize) else { return };
-    let Some(unit) = unit::<K>(w, first, slots, of.unit()) else { return };
-    let reads = match u.levels.get(of.unit() as usize) {
+    let Some(first) = rows.first() else { return false };
+    let Some(planes) = w.planes.get(first.prim as usize) else { return false };
+    let Some(Some(slots)) = u.layout.units.get(source.unit() as usize) else { return false };
+    let Some(unit) = w.unit::<K>(first, slots, source.unit()) else { return false };
+    let levels = match u.levels.get(source.unit() as usize) {
         Some(Some(levels)) => lod_bounds::of_rows(&b.tex, &unit, limits(rows, planes), levels),
         _ => Some(MipRange::One(0)),
     };
-    let Some(reads) = reads else { return };
-    let part = Part { segment: *first, extent: Extent::All, unit, reads };
-    let Some(source) = of.source(u, w, &part) else { return };
+    let Some(levels) = levels else { return false };
+    w.count_lambda(&unit, u.levels.get(source.unit() as usize).unwrap_or(&None));
+    let part = Part { segment: *first, extent: Extent::All, unit, levels };
+    let shader = source.shader(u, w, &part);
+    let Some(shader) = &shader else { return false };
     let rows = b.segments.get_mut(..b.segment_count).unwrap_or(&mut []);
     if let Some(test) = Test::new(arg) {
         trim(rows, planes, u, w, test.func);
     }
-    colored(rows, (planes, &source), u, w, arg);
-    b.tex.n = rows.len();
+    let before = w.passed();
+    gathered(rows, (planes, shader), u, w, arg);
+    if w.counts.is_some() {
+        w.count(before, shader.cost());
+    }
+    true
 }
 
-/// Colours of the rows of a primitive.
+/// Colours of the rows of a primitive, 64 living pixels at a time.
 #[inline(always)]
-fn colored<S: SpanShader>(
+fn gathered<S: SpanShader>(
     rows: &[Segment],
-    (planes, source): (&Planes, &S),
+    (planes, shader): (&Planes, &S),
     u: &FragUniforms,
     w: &mut Work<'_, '_>,
     arg: u32,
@@ -276,9 +276,9 @@ fn colored<S: SpanShader>(
     }
     let (x0, y0) = row_origin(first, planes);
     let origin = [x0.wrapping_sub(1 << 15), y0];
-    let mut list = List { place: [0; ROOM], offset: [0; ROOM], n: 0 };
+    let mut list = LivePixels { place: [0; ROOM], offset: [0; ROOM], n: 0 };
     let mut rest = rows.iter();
-    let (mut row, mut along, mut done, mut len) = (*first, Slope::new(&planes.z, 0, 0.0), 0, 0);
+    let (mut row, mut along, mut done, mut len) = (*first, DepthSlope::new(&planes.z, 0, 0.0), 0, 0);
     loop {
         while list.n < LANES {
             if done >= len {
@@ -301,12 +301,15 @@ fn colored<S: SpanShader>(
             done += n;
         }
         let n = list.n.min(LANES);
+        if let Some(counts) = &mut w.counts {
+            counts.passed += n as u64;
+        }
         if n > 2 * FEW {
-            list.shade::<LANES, _>(source, (0, n), origin, w.band.rgba8);
+            list.shade::<LANES, _>(shader, (0, n), origin, w.band.rgba8);
         } else {
             let mut start = 0;
             while start < n {
-                list.shade::<FEW, _>(source, (start, n - start), origin, w.band.rgba8);
+                list.shade::<FEW, _>(shader, (start, n - start), origin, w.band.rgba8);
                 start += FEW;
             }
         }
@@ -319,25 +322,37 @@ fn colored<S: SpanShader>(
 
 /// Pixels of a row from (x, y) on, the first `n` of N; false, and nothing done, where a buffer ends before.
 #[inline(always)]
-fn paint_step<const N: usize>(
+fn color_step<const N: usize, S: SpanShader>(
     w: &mut Work<'_, '_>,
-    (paint, slope, test): (&Paint, &Slope, Test),
+    (shader, slope, test): (&S, &DepthSlope, Test),
     (x, y, n): (i32, i32, u32),
     offset: u32,
 ) -> bool {
     let (Some(depth), Some(pixels)) = (chunk(w.band.depth, offset), chunk(w.band.rgba8, offset)) else { return false };
     let mask = test.pass::<N>(slope, x, n, depth);
+    if let Some(counts) = &mut w.counts {
+        counts.passed += u64::from(living(&mask));
+    }
     if any(&mask) {
         let mut out = [0; N];
-        paint.pixels(Step { x: x as f32, y: y as f32 }, &mut out);
+        shader.pixels(FromPixel { x: x as f32, y: y as f32 }, &[0; N], &mut out);
         write(false, &mask, &out, pixels);
     }
     true
 }
 
-/// The same where colours cost so little that they are not gathered: 32 pixels of a row at a time.
+/// Colours the rows of a primitive that is tested for depth and whose colours cost so little that pixels are not gathered: 32
+/// of a row at a time. Gives whether it has.
 #[inline(always)]
-fn painted(rows: &[Segment], (planes, paint): (&Planes, &Paint), u: &FragUniforms, w: &mut Work<'_, '_>, test: Test) {
+pub fn colored_rows<S: SpanShader>(
+    rows: &[Segment],
+    (planes, shader): (&Planes, &S),
+    u: &FragUniforms,
+    w: &mut Work<'_, '_>,
+    arg: u32,
+) -> bool {
+    let Some(test) = Test::new(arg) else { return false };
+    let before = w.passed();
     touch(rows, w.band.depth);
     for row in rows {
         let (x, y) = row_origin(row, planes);
@@ -346,64 +361,17 @@ fn painted(rows: &[Segment], (planes, paint): (&Planes, &Paint), u: &FragUniform
         while done < row.len {
             let n = if row.len - done < WIDE as u32 { row.len - done } else { WIDE as u32 };
             let (x, offset) = (x.wrapping_add(done.cast_signed()), row.offset.wrapping_add(done));
-            if !paint_step::<WIDE>(w, (paint, &along, test), (x, y, n), offset) {
+            if !color_step::<WIDE, S>(w, (shader, &along, test), (x, y, n), offset) {
                 for i in 0..n {
                     let x = x.wrapping_add(i.cast_signed());
-                    paint_step::<1>(w, (paint, &along, test), (x, y, 1), offset.wrapping_add(i));
+                    color_step::<1, S>(w, (shader, &along, test), (x, y, 1), offset.wrapping_add(i));
                 }
             }
             done += n;
         }
     }
-}
-
-stage! {
-    /// [`FILL`](crate::fragment::span::long::FILL) of many rows, with a colour.
-    pub(crate) fn ROWS_COLOR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        b.tex.n = 0;
-        let rows = b.segments.get(..b.segment_count).unwrap_or(&[]);
-        if let (Some(first), Some(slot)) = (rows.first(), u.layout.color)
-            && let Some((planes, pool)) = primitive::<4>(w, first, slot)
-            && let Some(paint) = Paint::new(planes, pool, None, u.packed_or)
-            && let Some(test) = Test::new(arg)
-        {
-            painted(rows, (planes, &paint), u, w, test);
-            b.tex.n = rows.len();
-        }
+    if w.counts.is_some() {
+        w.count(before, shader.cost());
     }
-
-    /// [`FILL_TEXELS`](crate::fragment::span::long::FILL_TEXELS) of many rows.
-    pub(crate) fn ROWS_TEXELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        textured(b, u, w, arg, u.copied.as_ref());
-    }
-
-    /// [`FILL_RGB`](crate::fragment::span::long::FILL_RGB) of many rows.
-    pub(crate) fn ROWS_RGB: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, false>::of));
-    }
-
-    /// [`ROWS_RGB`] with four channels.
-    pub(crate) fn ROWS_RGBA: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, false>::of));
-    }
-
-    /// [`ROWS_RGB`] with blending.
-    pub(crate) fn ROWS_RGB_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGB, true>::of));
-    }
-
-    /// [`ROWS_RGBA`] with blending.
-    pub(crate) fn ROWS_RGBA_BLENDED: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        textured(b, u, w, arg, u.shown.as_ref().and_then(Flat::<RGBA, true>::of));
-    }
-
-    /// What [`ROWS_RGB`] leaves because two levels are blended.
-    pub(crate) fn ROWS_RGB_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        textured(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGB>::of));
-    }
-
-    /// What [`ROWS_RGBA`] leaves because two levels are blended.
-    pub(crate) fn ROWS_RGBA_LEVELS: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        textured(b, u, w, arg, u.shown.as_ref().and_then(Between::<RGBA>::of));
-    }
+    true
 }

@@ -352,7 +352,7 @@ fn a_program_says_what_it_does() {
     let format = FramebufferFormat::default();
     let plain = program(Level::Baseline, &State::default(), &format, Options::default());
     assert_eq!(plain.stage_names(), ["BEGIN", "COLOR_STORE"]);
-    assert!(!plain.reads_framebuffer && !plain.draws_nothing);
+    assert!(!plain.reads_framebuffer && !plain.draws_nothing());
     let fate = |p: &crate::fragment::program::Program, stage: &str| {
         p.decisions.iter().find(|d| d.stage == stage).map(|d| d.fate)
     };
@@ -376,7 +376,7 @@ fn a_program_says_what_it_does() {
     assert!(p.reads_framebuffer);
     state.color_buffer.color_mask = [false; 4];
     state.depth.mask = false;
-    assert!(program(Level::Baseline, &state, &format, Options::default()).draws_nothing);
+    assert!(program(Level::Baseline, &state, &format, Options::default()).draws_nothing());
     // Almost is not enough: factors that are not ONE, ZERO are kept whatever the alphas may be.
     let mut state = State::default();
     state.color_buffer.blend = true;

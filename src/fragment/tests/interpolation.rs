@@ -104,7 +104,8 @@ fn coordinates(
     }
     let mut f = Framebuffer::new(1, 1, FramebufferFormat::default()).unwrap();
     let mut band = f.band();
-    let mut work = Work { planes: &[planes], pool: PlanePool { alone: pool, groups: &[] }, band: &mut band };
+    let mut work =
+        Work { planes: &[planes], pool: PlanePool { alone: pool, groups: &[] }, band: &mut band, counts: None };
     #[expect(unsafe_code, reason = "the level is one that the processor has")]
     // SAFETY: `Level::available` gave it.
     unsafe {

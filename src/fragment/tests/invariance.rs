@@ -112,7 +112,7 @@ fn nothing_that_is_left_out_changes_a_bit() {
                 if !general && p.stage_names().len() < 10 {
                     shorter += 1;
                 }
-                filled += usize::from(p.fill.is_some());
+                filled += usize::from(p.span.is_some());
                 let scene = scene(&mut Random::new(seed), p.layout.secondary.is_some(), p.layout.fog.is_some());
                 for feed in Feed::ALL {
                     let mut f = Framebuffer::new(96, 20, format).unwrap();
@@ -250,7 +250,7 @@ fn coarse_depths_change_no_bit() {
             for (general, frame) in [true, false].into_iter().zip(&mut frames) {
                 let p = program(level, &state, &format, Options { general, ..Options::default() });
                 draw(&p, &scene, frame, if general { Feed::Rows } else { Feed::Runs }, &rects);
-                skipped += usize::from(p.hiz_cull.is_some());
+                skipped += usize::from(p.hiz.is_some());
             }
             let [want, got] = frames.each_ref().map(contents);
             assert!(want == got, "case {case} {level:?} primitive {prim}");
