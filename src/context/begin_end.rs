@@ -6,8 +6,9 @@
 use super::engine::Engine;
 use super::immediate_fast::ImmediateFast;
 use crate::enums::*;
-use crate::error::{GlError, Outcome, invalid_enum, invalid_operation};
+use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, known};
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::state::primitive::PrimitiveMode;
 
 /// Whether the engine is between Begin and End.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,11 +27,8 @@ pub(crate) enum Primitive {
 pub(super) const LONG: usize = 96;
 
 /// A mode of Begin and of the draw commands, or INVALID_ENUM.
-pub(crate) fn check_mode(mode: GLenum) -> Outcome {
-    if mode <= GL_POLYGON {
-        return Ok(());
-    }
-    Err(invalid_enum(format!("{} is not a primitive; there are GL_POINTS (0) to GL_POLYGON (9)", name(mode))))
+pub(crate) fn check_mode(mode: GLenum) -> Outcome<PrimitiveMode> {
+    known(PrimitiveMode::from_gl(mode), mode, "a primitive; there are GL_POINTS (0) to GL_POLYGON (9)")
 }
 
 #[cold]
@@ -49,7 +47,7 @@ impl Engine {
         if self.primitive != Primitive::Outside {
             return Err(nested());
         }
-        check_mode(mode)?;
+        let mode = check_mode(mode)?;
         self.validate();
         self.primitive = Primitive::Inside;
         self.batches = 0;

@@ -155,7 +155,7 @@ fn draw(
     run: impl FnOnce(&mut Context) -> Outcome,
 ) {
     if cx.flags.recording() {
-        let elements = cx.engine.check_draw(mode, count).and_then(|()| indices(cx));
+        let elements = cx.engine.check_draw(mode, count).and_then(|_| indices(cx));
         match elements {
             Ok(elements) => {
                 if !record_elements(cx, name, Some(mode), elements.into_iter()) {

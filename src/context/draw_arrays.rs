@@ -11,6 +11,7 @@ use super::pixels_arg::{ArrayData, Indices, index_size};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
 use crate::limits::MAX_TEXTURE_UNITS;
+use crate::state::primitive::PrimitiveMode;
 use crate::vertex::cache::IndexList;
 use crate::vertex::source::ElementOrder;
 
@@ -74,8 +75,8 @@ fn index_list<'a>(
 
 impl Engine {
     /// The checks of all draws; a mapped buffer object must not be read.
-    pub(crate) fn check_draw(&mut self, mode: GLenum, count: i32) -> Outcome {
-        check_mode(mode)?;
+    pub(crate) fn check_draw(&mut self, mode: GLenum, count: i32) -> Outcome<PrimitiveMode> {
+        let mode = check_mode(mode)?;
         if count < 0 {
             return Err(invalid_value(format!("count = {count} is negative")));
         }
@@ -85,7 +86,7 @@ impl Engine {
                 "buffer object {} is mapped and holds an enabled array; call glUnmapBuffer first",
                 p.buffer
             ))),
-            None => Ok(()),
+            None => Ok(mode),
         }
     }
 
@@ -129,7 +130,7 @@ impl Engine {
     }
 
     pub(crate) fn draw_arrays(&mut self, mode: GLenum, first: i32, count: i32) -> Outcome {
-        self.check_draw(mode, count)?;
+        let mode = self.check_draw(mode, count)?;
         let there = self.elements_there(first, count).unsigned_abs();
         let Ok(first) = u32::try_from(first) else {
             return Err(invalid_value(format!("first = {first} is negative")));
@@ -157,7 +158,7 @@ impl Engine {
     }
 
     pub(crate) fn draw_elements(&mut self, mode: GLenum, count: i32, type_: GLenum, indices: &Indices<'_>) -> Outcome {
-        self.check_draw(mode, count)?;
+        let mode = self.check_draw(mode, count)?;
         index_list(&self.client.arrays, &self.buffers, count, type_, indices)?;
         if count == 0 || !self.start_arrays() {
             return Ok(());

@@ -2,10 +2,10 @@
 //! display lists have in common. A draw that is worth it is cut into parts for several threads.
 
 use super::engine::Engine;
-use crate::enums::GLenum;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::raster::Scene;
+use crate::state::primitive::PrimitiveMode;
 use crate::vertex::cache::IndexList;
 use crate::vertex::draw_worker::{DrawWorker, SourceDraw, SplitSourceDraw};
 use crate::vertex::pipeline::VertexPipeline;
@@ -25,7 +25,7 @@ pub(crate) struct Drawing<'a> {
 
 impl Drawing<'_> {
     /// Draws a primitive. What its vertices have in common must be in the pipe's batch already.
-    pub(crate) fn draw<S: VertexSource>(self, source: &S, mode: GLenum, order: ElementOrder<IndexList<'_>>) {
+    pub(crate) fn draw<S: VertexSource>(self, source: &S, mode: PrimitiveMode, order: ElementOrder<IndexList<'_>>) {
         let Self { pipe, draw_workers, scene, framebuffer, threads, passed } = self;
         let cut = pipe.cut();
         let VertexPipeline { plan, worker, .. } = pipe;
@@ -53,7 +53,7 @@ impl Engine {
     pub(super) fn draw_source<S: VertexSource>(
         &mut self,
         source: &S,
-        mode: GLenum,
+        mode: PrimitiveMode,
         order: ElementOrder<IndexList<'_>>,
     ) {
         let Self { pipe, draw_workers, scene, framebuffer, config, queries, .. } = self;

@@ -38,7 +38,7 @@ fn current(s: &State, pname: GLenum) -> Option<Values> {
         GL_CURRENT_RASTER_INDEX => Values::float(r.index),
         GL_CURRENT_RASTER_TEXTURE_COORDS => Values::floats(&r.tex_coord[unit]),
         GL_CURRENT_RASTER_POSITION_VALID => Values::boolean(r.valid),
-        GL_MATRIX_MODE => Values::enumerant(t.matrix_mode),
+        GL_MATRIX_MODE => Values::enumerant(t.matrix_mode.gl()),
         GL_MODELVIEW_MATRIX => matrix(t.modelview.top()),
         GL_PROJECTION_MATRIX => matrix(t.projection.top()),
         GL_TEXTURE_MATRIX => matrix(t.texture[unit].top()),

@@ -11,6 +11,7 @@ use crate::enums::*;
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::simd::LANES;
 use crate::state::current::Current;
+use crate::state::primitive::PrimitiveMode;
 use crate::vertex::batch::{self, VertexBatch, needs};
 use crate::vertex::source::ElementOrder;
 use crate::vertex::vertex_store::VertexStore;
@@ -24,7 +25,7 @@ const INDEX: u32 = 1 << 31;
 /// A Begin/End pair.
 #[derive(Clone, Debug)]
 pub(crate) struct ListVertices {
-    mode: GLenum,
+    mode: PrimitiveMode,
     /// Positions and those attributes that are given within the pair.
     vertices: VertexStore,
     /// The same with every vertex once, where many are equal.
@@ -117,11 +118,12 @@ impl ListVertices {
         let (Command::Vertex(Op::glBegin { mode }), rest) = commands.split_first()? else { return None };
         let inside = |c: &Command| matches!(c, Command::Vertex(op) if !matches!(op, Op::glBegin { .. } | Op::glEnd {}));
         let inner = rest.iter().position(|c| !inside(c))?;
-        if *mode > GL_POLYGON || inner < LEAST || !matches!(rest.get(inner)?, Command::Vertex(Op::glEnd {})) {
+        let mode = PrimitiveMode::from_gl(*mode)?;
+        if inner < LEAST || !matches!(rest.get(inner)?, Command::Vertex(Op::glEnd {})) {
             return None;
         }
         let mut c = collector();
-        c.each = batch::block(*mode);
+        c.each = batch::block(mode);
         for command in rest.iter().take(inner) {
             let Command::Vertex(op) = command else { return None };
             c.take(op)?;
@@ -133,8 +135,9 @@ impl ListVertices {
             c.store()?;
         }
         let Collector { vertices, current: last, given, q_units, .. } = c;
-        let welded = matches!(*mode, GL_TRIANGLES | GL_QUADS).then(|| Welded::new(&vertices)).flatten();
-        Some((Self { mode: *mode, vertices, welded, given, last, q_units }, inner + 2))
+        let welded =
+            matches!(mode, PrimitiveMode::Triangles | PrimitiveMode::Quads).then(|| Welded::new(&vertices)).flatten();
+        Some((Self { mode, vertices, welded, given, last, q_units }, inner + 2))
     }
 
     /// Turns long pairs of a list into runs.
@@ -186,7 +189,7 @@ impl ListVertices {
     #[track_caller]
     fn commands(&self, mut each: impl FnMut(Op)) {
         let given = |bit: u32| self.given & bit != 0;
-        each(Op::glBegin { mode: self.mode });
+        each(Op::glBegin { mode: self.mode.gl() });
         let mut batch = VertexBatch::new();
         for block in 0..self.vertices.blocks() {
             self.vertices.load(block, &mut batch);

@@ -2,24 +2,17 @@
 //! by column; every command but Load multiplies from the right, as the specification writes it.
 
 use super::engine::Engine;
-use crate::enums::*;
-use crate::error::{Outcome, invalid_enum, invalid_value, stack_overflow, stack_underflow};
+use crate::enums::GLenum;
+use crate::error::{Outcome, invalid_value, known, stack_overflow, stack_underflow};
 use crate::num;
 use crate::state::Dirty;
-use crate::state::transform::MatrixStack;
+use crate::state::transform::{MatrixMode, MatrixStack};
 use glam::DMat4;
 
 impl Engine {
     pub(crate) fn matrix_mode(&mut self, mode: GLenum) -> Outcome {
-        match mode {
-            GL_MODELVIEW | GL_PROJECTION | GL_TEXTURE | GL_COLOR => self.state.transform.matrix_mode = mode,
-            _ => {
-                return Err(invalid_enum(format!(
-                    "{} is not a matrix mode; use GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE or GL_COLOR",
-                    name(mode)
-                )));
-            }
-        }
+        let what = "a matrix mode; use GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE or GL_COLOR";
+        self.state.transform.matrix_mode = known(MatrixMode::from_gl(mode), mode, what)?;
         Ok(())
     }
 
@@ -27,10 +20,10 @@ impl Engine {
     pub(crate) fn current_stack(&mut self) -> &mut MatrixStack {
         let transform = &mut self.state.transform;
         match transform.matrix_mode {
-            GL_PROJECTION => &mut transform.projection,
-            GL_TEXTURE => &mut transform.texture[self.state.texture.active],
-            GL_COLOR => &mut transform.color,
-            _ => &mut transform.modelview,
+            MatrixMode::Modelview => &mut transform.modelview,
+            MatrixMode::Projection => &mut transform.projection,
+            MatrixMode::Texture => &mut transform.texture[self.state.texture.active],
+            MatrixMode::Color => &mut transform.color,
         }
     }
 
@@ -42,7 +35,7 @@ impl Engine {
 
     /// A texture matrix may bring a q that is not 1, which the fragment plan must know.
     fn matrix_changed(&mut self) {
-        let texture = self.state.transform.matrix_mode == GL_TEXTURE;
+        let texture = self.state.transform.matrix_mode == MatrixMode::Texture;
         self.dirty.add(Dirty { vertex: true, fragment: texture, raster: false });
     }
 
@@ -144,7 +137,7 @@ impl Engine {
         }
         Err(stack_overflow(format!(
             "the {} stack is full: it holds {} matrices; pop one first",
-            name(mode),
+            mode.name(),
             stack.limit
         )))
     }
@@ -154,7 +147,7 @@ impl Engine {
         if !self.current_stack().pop() {
             return Err(stack_underflow(format!(
                 "the {} stack holds one matrix, which cannot be popped; every pop needs a push before it",
-                name(mode)
+                mode.name()
             )));
         }
         self.matrix_changed();

@@ -12,6 +12,7 @@ pub mod fog;
 pub mod lighting;
 pub mod pixel;
 pub mod pixel_maps;
+pub mod primitive;
 pub mod raster;
 pub mod texture;
 pub mod transform;

@@ -3,9 +3,19 @@
 //! incremental rotations.
 
 use super::PerUnit;
-use crate::enums::{GL_MODELVIEW, GLenum};
+use crate::enums::gl_enum;
 use crate::limits::MAX_CLIP_PLANES;
 use glam::DMat4;
+
+gl_enum! {
+    /// Which stack the matrix commands address.
+    pub enum MatrixMode {
+        Modelview = GL_MODELVIEW,
+        Projection = GL_PROJECTION,
+        Texture = GL_TEXTURE,
+        Color = GL_COLOR,
+    }
+}
 
 /// A matrix stack: the last element is the current matrix; there is always one.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +71,7 @@ impl MatrixStack {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transform {
     /// Which stack the matrix commands address: modelview, projection, texture or colour.
-    pub matrix_mode: GLenum,
+    pub matrix_mode: MatrixMode,
     /// Modelview stack.
     pub modelview: MatrixStack,
     /// Projection stack.
@@ -87,7 +97,7 @@ impl Default for Transform {
             MAX_TEXTURE_STACK_DEPTH,
         };
         Self {
-            matrix_mode: GL_MODELVIEW,
+            matrix_mode: MatrixMode::Modelview,
             modelview: MatrixStack::new(MAX_MODELVIEW_STACK_DEPTH),
             projection: MatrixStack::new(MAX_PROJECTION_STACK_DEPTH),
             texture: std::array::from_fn(|_| MatrixStack::new(MAX_TEXTURE_STACK_DEPTH)),

@@ -15,15 +15,15 @@ use super::counts::VertexCounts;
 use super::cull::is_outside;
 use super::plan::VertexPlan;
 use super::transformed::TransformedVertices;
-use crate::enums::*;
 use crate::raster::PrimitiveSink;
 use crate::raster::vertex::{ScreenPosition, twice_area};
 use crate::simd::LANES;
+use crate::state::primitive::PrimitiveMode;
 
 /// Joins vertices into primitives.
 #[derive(Clone, Debug, Default)]
 pub struct Assembler {
-    mode: GLenum,
+    mode: PrimitiveMode,
     /// Ids of the vertices that are kept.
     hold: [u32; 4],
     held: usize,
@@ -203,7 +203,7 @@ impl AssemblyOutput<'_> {
 
 impl Assembler {
     /// Starts a primitive.
-    pub fn begin(&mut self, mode: GLenum) {
+    pub fn begin(&mut self, mode: PrimitiveMode) {
         *self = Self { mode, ..Self::default() };
     }
 
@@ -241,31 +241,31 @@ impl Assembler {
     pub fn feed(&mut self, ids: &[u32], pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         let each = ids.iter().copied();
         match self.mode {
-            GL_POINTS => each.for_each(|id| out.point(pool, id)),
-            GL_LINES => {
+            PrimitiveMode::Points => each.for_each(|id| out.point(pool, id)),
+            PrimitiveMode::Lines => {
                 let (begun, lines) = self.groups(ids);
                 begun.iter().chain(lines).for_each(|ids| out.line(pool, *ids, 1, true));
             }
-            GL_TRIANGLES => {
+            PrimitiveMode::Triangles => {
                 let (begun, triangles) = self.groups(ids);
                 out.triangles(pool, begun.as_slice());
                 out.triangles(pool, triangles);
             }
-            GL_QUADS => {
+            PrimitiveMode::Quads => {
                 let (begun, quads) = self.groups(ids);
                 for ids in begun.iter().chain(quads) {
                     let edges = ids.map(|id| pool.edge(id));
                     out.quad(pool, *ids, edges);
                 }
             }
-            GL_LINE_STRIP => each.for_each(|id| {
+            PrimitiveMode::LineStrip => each.for_each(|id| {
                 if self.held == 1 {
                     out.line(pool, [self.hold[0], id], 1, self.count == 0);
                     self.count = 1;
                 }
                 (self.hold[0], self.held) = (id, 1);
             }),
-            GL_LINE_LOOP => each.for_each(|id| {
+            PrimitiveMode::LineLoop => each.for_each(|id| {
                 // Held: the last vertex, then the first.
                 match self.held {
                     0 => (self.hold[0], self.hold[1], self.held) = (id, id, 2),
@@ -275,7 +275,7 @@ impl Assembler {
                     }
                 }
             }),
-            GL_TRIANGLE_STRIP => each.for_each(|id| {
+            PrimitiveMode::TriangleStrip => each.for_each(|id| {
                 if self.held < 2 {
                     self.hold[self.held] = id;
                     self.held += 1;
@@ -287,9 +287,9 @@ impl Assembler {
                 self.count ^= 1;
                 (self.hold[0], self.hold[1]) = (b, id);
             }),
-            GL_TRIANGLE_FAN => each.for_each(|id| self.fan(id, pool, out)),
-            GL_POLYGON => each.for_each(|id| self.polygon(id, pool, out)),
-            GL_QUAD_STRIP => each.for_each(|id| {
+            PrimitiveMode::TriangleFan => each.for_each(|id| self.fan(id, pool, out)),
+            PrimitiveMode::Polygon => each.for_each(|id| self.polygon(id, pool, out)),
+            PrimitiveMode::QuadStrip => each.for_each(|id| {
                 if self.held < 3 {
                     self.hold[self.held] = id;
                     self.held += 1;
@@ -300,7 +300,6 @@ impl Assembler {
                 out.quad(pool, [c, a, b, id], [true; 4]);
                 (self.hold[0], self.hold[1], self.held) = (c, id, 2);
             }),
-            _ => {}
         }
     }
 
@@ -336,9 +335,18 @@ impl Assembler {
     pub fn end(&mut self, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         match self.mode {
             // A loop of one vertex draws nothing, of two the same segment twice.
-            GL_LINE_LOOP if self.count != 0 => out.line(pool, [self.hold[0], self.hold[1]], 1, false),
-            GL_POLYGON if self.held == 3 => self.polygon_triangle(pool, out, true),
-            _ => {}
+            PrimitiveMode::LineLoop if self.count != 0 => out.line(pool, [self.hold[0], self.hold[1]], 1, false),
+            PrimitiveMode::Polygon if self.held == 3 => self.polygon_triangle(pool, out, true),
+            PrimitiveMode::Points
+            | PrimitiveMode::Lines
+            | PrimitiveMode::LineLoop
+            | PrimitiveMode::LineStrip
+            | PrimitiveMode::Triangles
+            | PrimitiveMode::TriangleStrip
+            | PrimitiveMode::TriangleFan
+            | PrimitiveMode::Quads
+            | PrimitiveMode::QuadStrip
+            | PrimitiveMode::Polygon => {}
         }
         self.held = 0;
         self.count = 0;

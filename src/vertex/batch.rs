@@ -2,13 +2,13 @@
 //! stages work on (positions in f64, colours in f32), and one array a slot of what is handed on. Stages never write to
 //! the input arrays, so a value that is the same for all vertices of a draw is filled in once.
 
-use crate::enums::{GL_TRIANGLES, GLenum};
 use crate::fragment::planes::GROUP;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
 use crate::raster::vertex::ScreenPosition;
 use crate::simd::LANES;
 pub use crate::simd::Lanes;
 use crate::state::current::Current;
+use crate::state::primitive::PrimitiveMode;
 
 /// One f64 for each lane.
 pub type F64Lanes = [f64; LANES];
@@ -20,8 +20,8 @@ pub const MAX_SLOTS: usize = 4 + 3 + 1 + 4 * MAX_TEXTURE_UNITS + 4 + 3;
 pub const LIST_VERTICES: usize = 3 * GROUP;
 /// How many vertices of a primitive are best taken at a time.
 #[must_use]
-pub const fn block(mode: GLenum) -> usize {
-    if mode == GL_TRIANGLES { LIST_VERTICES } else { LANES }
+pub const fn block(mode: PrimitiveMode) -> usize {
+    if matches!(mode, PrimitiveMode::Triangles) { LIST_VERTICES } else { LANES }
 }
 
 /// Which attributes a plan reads; the others are not even copied into a batch.

@@ -8,9 +8,9 @@ use super::hand_on::TakePrimitives;
 use super::plan::VertexPlan;
 use super::processor::VertexProcessor;
 use super::source::{ElementList, ElementOrder, Keys, VertexSource};
-use crate::enums::*;
 use crate::raster::{FragmentProgram, PrimitiveBuilder, SplitDraw};
 use crate::simd::LANES;
+use crate::state::primitive::PrimitiveMode;
 use std::ops::Range;
 
 /// Primitives that are handed on before the sink is asked whether it is full.
@@ -36,7 +36,7 @@ pub struct SourceDraw<'a, S> {
     /// The vertices.
     pub source: &'a S,
     /// What they make.
-    pub mode: GLenum,
+    pub mode: PrimitiveMode,
     /// Vertices of a batch.
     pub cut: usize,
 }
@@ -73,7 +73,7 @@ impl DrawWorker {
         }
         self.processor.end(draw.plan, culls);
         self.processor.hand_on(draw.plan, 0, usize::MAX, sink);
-        self.processor.begin(0);
+        self.processor.begin(PrimitiveMode::default());
         self.processor.clear();
         self.processor.batch.clear();
     }
@@ -96,7 +96,7 @@ impl DrawWorker {
             let keys = Keys::Range(at..at + n);
             draw.source.positions(&keys, &mut processor.batch);
             draw.source.attributes(&keys, &mut processor.batch);
-            if !processor.run_triangle_list(draw.plan, draw.mode == GL_TRIANGLES, culls, sink) {
+            if !processor.run_triangle_list(draw.plan, draw.mode == PrimitiveMode::Triangles, culls, sink) {
                 let first = processor.append();
                 processor.feed_batch(draw.plan, culls, first);
                 processor.compute_varyings(draw.plan, first);
@@ -151,9 +151,14 @@ impl<'a, S: VertexSource> SplitSourceDraw<'a, S> {
         threads: usize,
     ) -> Result<Self, (SourceDraw<'a, S>, ElementOrder<IndexList<'a>>)> {
         let shared = match draw.mode {
-            GL_TRIANGLES | GL_QUADS => 0,
-            GL_TRIANGLE_STRIP | GL_QUAD_STRIP => 2,
-            _ => return Err((draw, order)),
+            PrimitiveMode::Triangles | PrimitiveMode::Quads => 0,
+            PrimitiveMode::TriangleStrip | PrimitiveMode::QuadStrip => 2,
+            PrimitiveMode::Points
+            | PrimitiveMode::Lines
+            | PrimitiveMode::LineLoop
+            | PrimitiveMode::LineStrip
+            | PrimitiveMode::TriangleFan
+            | PrimitiveMode::Polygon => return Err((draw, order)),
         };
         if threads < 2 || order.len() < WORTH_CUTTING {
             return Err((draw, order));

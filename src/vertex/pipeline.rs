@@ -9,17 +9,17 @@ use super::plan::{VertexPlan, Wants};
 use super::processor::{VertexProcessor, consecutive};
 use super::setup_job::SetupJobPool;
 use super::vertex_store::VertexStore;
-use crate::enums::{GL_QUADS, GL_TRIANGLES, GLenum};
 use crate::fragment::planes::Layout;
 use crate::raster::{FragmentProgram, SetupFn};
 use crate::simd::{LANES, Level};
 use crate::state::State;
 use crate::state::current::Current;
+use crate::state::primitive::PrimitiveMode;
 
 /// A piece of a primitive in the waiting batch.
 #[derive(Clone, Copy, Debug)]
 struct PrimitiveRange {
-    mode: GLenum,
+    mode: PrimitiveMode,
     /// The primitive begins here; otherwise it goes on from the batch before.
     begins: bool,
     /// The primitive ends here.
@@ -95,7 +95,7 @@ impl VertexPipeline {
 
     /// Begins a primitive.
     #[inline]
-    pub fn begin(&mut self, mode: GLenum) {
+    pub fn begin(&mut self, mode: PrimitiveMode) {
         let n = self.worker.processor.batch.n;
         let in_step = n == 0 || (self.limit == LIST_VERTICES && n.is_multiple_of(3));
         self.limit = if in_step { self.cut.min(batch::block(mode)) } else { self.cut };
@@ -137,8 +137,11 @@ impl VertexPipeline {
     /// are a triangle or a quadrilateral. False where they are not.
     pub fn collect(&mut self) -> bool {
         let Self { plan, worker: DrawWorker { processor, .. }, store, ranges, .. } = self;
-        let [PrimitiveRange { mode: mode @ (GL_TRIANGLES | GL_QUADS), begins, ends: false, .. }] =
-            ranges.as_mut_slice()
+        let [
+            PrimitiveRange {
+                mode: mode @ (PrimitiveMode::Triangles | PrimitiveMode::Quads), begins, ends: false, ..
+            },
+        ] = ranges.as_mut_slice()
         else {
             return false;
         };
@@ -173,7 +176,7 @@ impl VertexPipeline {
 
     /// What was collected, if it is enough to be drawn by itself: whole triangles and quadrilaterals. The primitive goes
     /// on as if it had just begun, unless it has ended.
-    pub fn take_collected(&mut self) -> Option<(GLenum, VertexStore)> {
+    pub fn take_collected(&mut self) -> Option<(PrimitiveMode, VertexStore)> {
         let PrimitiveRange { mode, ends, .. } = *self.ranges.first()?;
         if self.store.len() < if ends { WORTH_CUTTING } else { MOST_COLLECTED } {
             return None;
@@ -210,7 +213,7 @@ impl VertexPipeline {
         let waiting = self.worker.processor.batch.clone();
         for block in 0..store.blocks() {
             store.load(block, &mut self.worker.processor.batch);
-            let mode = ranges.first().map_or(GL_TRIANGLES, |range| range.mode);
+            let mode = ranges.first().map_or(PrimitiveMode::Triangles, |range| range.mode);
             self.ranges = vec![PrimitiveRange { mode, begins: block == 0, ends: false, until: 0 }];
             self.inside = true;
             self.run_batch(sink);
@@ -231,7 +234,8 @@ impl VertexPipeline {
         }
         let open = self.inside.then_some(last.mode);
         let culls = sink.culls();
-        let triangles = ranges.iter().all(|range| range.mode == GL_TRIANGLES && range.until.is_multiple_of(3));
+        let triangles =
+            ranges.iter().all(|range| range.mode == PrimitiveMode::Triangles && range.until.is_multiple_of(3));
         if processor.run_triangle_list(plan, triangles, culls, sink) {
             ranges.iter().filter(|range| range.begins).for_each(|range| processor.begin(range.mode));
         } else {
@@ -242,7 +246,7 @@ impl VertexPipeline {
         let cut = self.cut;
         self.limit = cut;
         if let Some(mode) = open {
-            if mode == GL_TRIANGLES && cut == LANES {
+            if mode == PrimitiveMode::Triangles && cut == LANES {
                 // Where vertices are left over, the batch ends so that none will be.
                 let waiting = processor.waiting();
                 self.limit = if waiting == 0 { LIST_VERTICES } else { cut - (cut + waiting) % 3 };

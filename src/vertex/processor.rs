@@ -13,8 +13,8 @@ use super::hand_on::TakePrimitives;
 use super::plan::VertexPlan;
 use super::source::{Keys, VertexSource};
 use super::transformed::{MAX_VERTICES, TransformedVertices};
-use crate::enums::GLenum;
 use crate::simd::LANES;
+use crate::state::primitive::PrimitiveMode;
 
 /// Vertices and primitives under way.
 #[derive(Clone, Debug)]
@@ -47,7 +47,7 @@ impl Default for VertexProcessor {
 
 impl VertexProcessor {
     /// Starts a primitive.
-    pub fn begin(&mut self, mode: GLenum) {
+    pub fn begin(&mut self, mode: PrimitiveMode) {
         self.assembler.begin(mode);
     }
 

@@ -4,16 +4,16 @@
 use super::draw_worker::{DrawWorker, SourceDraw};
 use super::plan::VertexPlan;
 use super::vertex_store::VertexStore;
-use crate::enums::GLenum;
 use crate::raster::{FragmentProgram, PrimitiveBuilder, SetupFn};
 use crate::simd::{LANES, Level};
+use crate::state::primitive::PrimitiveMode;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A piece.
 #[derive(Clone, Debug)]
 pub struct SetupJob {
     plan: VertexPlan,
-    mode: GLenum,
+    mode: PrimitiveMode,
     cut: usize,
     store: VertexStore,
     /// What the thread works with.
@@ -35,7 +35,7 @@ impl SetupJobPool {
     pub fn make<P: FragmentProgram>(
         &self,
         plan: &VertexPlan,
-        mode: GLenum,
+        mode: PrimitiveMode,
         cut: usize,
         store: &mut VertexStore,
     ) -> SetupFn<P> {

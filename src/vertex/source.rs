@@ -1,7 +1,7 @@
 //! Where vertices come from (OpenGL 1.5, section 2.8), and which of them a draw takes in which order.
 
 use super::batch::{self, VertexBatch};
-use crate::enums::GLenum;
+use crate::state::primitive::PrimitiveMode;
 use std::ops::Range;
 
 /// Some elements of a source in an order: all from one to another, or those of a list.
@@ -77,7 +77,7 @@ pub trait VertexSource: Sync {
     /// Fills the batch with all other attributes of some elements.
     fn attributes(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
     /// How many vertices of a primitive are best taken at a time.
-    fn block(&self, mode: GLenum) -> usize {
+    fn block(&self, mode: PrimitiveMode) -> usize {
         batch::block(mode)
     }
 }

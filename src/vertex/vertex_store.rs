@@ -5,8 +5,8 @@
 use super::batch::{Lanes, VertexBatch, needs};
 use super::cache::IndexList;
 use super::source::{ElementOrder, Keys, VertexSource};
-use crate::enums::GLenum;
 use crate::simd::LANES;
+use crate::state::primitive::PrimitiveMode;
 
 /// Numbers of a position.
 const POSITION: usize = 4;
@@ -194,7 +194,7 @@ impl VertexSource for VertexStore {
         self.copy(keys, 0, batch.position.iter_mut());
     }
 
-    fn block(&self, _: GLenum) -> usize {
+    fn block(&self, _: PrimitiveMode) -> usize {
         self.each
     }
 

@@ -1,7 +1,7 @@
 //! Clipping: what is left of a primitive, and that it does not depend on the order of its vertices.
 
 use super::*;
-use crate::enums::*;
+use crate::state::primitive::PrimitiveMode;
 use glam::DMat4;
 
 fn corners(got: &[Got]) -> Vec<[f64; 4]> {
@@ -20,7 +20,7 @@ fn corners(got: &[Got]) -> Vec<[f64; 4]> {
 #[test]
 fn near_cuts_a_triangle_to_a_quadrilateral() {
     let given = [at(0.0, 0.0, -3.0), at(-0.5, 0.0, 1.0), at(0.5, 0.0, 1.0)];
-    let got = draw(&plain_state(), &color_layout(), GL_TRIANGLES, &given);
+    let got = draw(&plain_state(), &color_layout(), PrimitiveMode::Triangles, &given);
     assert_eq!(got.len(), 2);
     // Half way between z = -3 and z = 1 is z = -1, exactly on the near plane.
     assert_eq!(
@@ -36,7 +36,7 @@ fn near_cuts_a_triangle_to_a_quadrilateral() {
 fn clipped_edges_keep_their_flags_and_new_ones_are_boundaries() {
     let mut given = [at(0.0, 0.0, -3.0), at(-0.5, 0.0, 1.0), at(0.5, 0.0, 1.0)];
     given.iter_mut().for_each(|v| v.current.edge_flag = false);
-    let got = draw(&plain_state(), &color_layout(), GL_TRIANGLES, &given);
+    let got = draw(&plain_state(), &color_layout(), PrimitiveMode::Triangles, &given);
     let flags: Vec<bool> = got
         .iter()
         .flat_map(|g| match g {
@@ -50,10 +50,10 @@ fn clipped_edges_keep_their_flags_and_new_ones_are_boundaries() {
 #[test]
 fn sides_are_left_to_the_rasteriser_up_to_the_guard_band() {
     let given = [at(-5.0, 0.0, 0.0), at(5.0, 0.0, 0.0), at(0.0, 5.0, 0.0)];
-    let got = draw(&plain_state(), &color_layout(), GL_TRIANGLES, &given);
+    let got = draw(&plain_state(), &color_layout(), PrimitiveMode::Triangles, &given);
     assert_eq!(corners(&got).len(), 3);
     let given = [at(-1e30, -0.5, 0.0), at(1e30, -0.5, 0.0), at(0.0, 1e30, 0.0)];
-    let got = draw(&plain_state(), &color_layout(), GL_TRIANGLES, &given);
+    let got = draw(&plain_state(), &color_layout(), PrimitiveMode::Triangles, &given);
     assert!(!got.is_empty());
     for c in corners(&got) {
         assert!((50.0 + 50.0 * c[0] / c[3]).abs() <= 32767.001, "{c:?}");
@@ -65,9 +65,9 @@ fn only_what_has_a_positive_w_is_drawn() {
     let v = |x: f32, y: f32, w: f32| Given { position: [x, y, 0.0, w], ..at(0.0, 0.0, 0.0) };
     for k in [1e-30f32, 1.0, 1e30] {
         let negative = [v(0.0, 0.0, -k), v(0.5 * k, 0.0, -k), v(0.0, 0.5 * k, -k)];
-        assert_eq!(draw(&plain_state(), &color_layout(), GL_TRIANGLES, &negative), []);
+        assert_eq!(draw(&plain_state(), &color_layout(), PrimitiveMode::Triangles, &negative), []);
         let crossing = [v(-0.5 * k, -0.5 * k, k), v(0.5 * k, -0.5 * k, k), v(0.0, 0.5 * k, -k)];
-        let got = draw(&plain_state(), &color_layout(), GL_TRIANGLES, &crossing);
+        let got = draw(&plain_state(), &color_layout(), PrimitiveMode::Triangles, &crossing);
         assert!(!got.is_empty());
         for c in corners(&got) {
             assert!(c[3] > 0.0);
@@ -77,11 +77,14 @@ fn only_what_has_a_positive_w_is_drawn() {
 
 #[test]
 fn lines_end_at_the_view_volume() {
-    let got = draw(&plain_state(), &color_layout(), GL_LINES, &[at(-3.0, 0.0, 0.0), at(3.0, 0.0, 0.0)]);
+    let got = draw(&plain_state(), &color_layout(), PrimitiveMode::Lines, &[at(-3.0, 0.0, 0.0), at(3.0, 0.0, 0.0)]);
     assert_eq!(corners(&got), [[-1.0, 0.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0]]);
     let Got::Line(v, ..) = &got[0] else { panic!() };
     assert_eq!((v[0].0.window[0], v[1].0.window[0]), (0.0, 100.0));
-    assert_eq!(draw(&plain_state(), &color_layout(), GL_LINES, &[at(-3.0, 0.0, 0.0), at(-2.0, 2.0, 0.0)]), []);
+    assert_eq!(
+        draw(&plain_state(), &color_layout(), PrimitiveMode::Lines, &[at(-3.0, 0.0, 0.0), at(-2.0, 2.0, 0.0)]),
+        []
+    );
 }
 
 /// Numbers that look random and are the same every time.
@@ -108,7 +111,7 @@ fn a_clipped_edge_has_the_same_bits_from_both_sides_and_for_both_halves() {
         state.transform.clip_plane_enabled[2] = true;
         state.transform.clip_planes[2] = plane;
         let ends = |state: &State, given: &[Given]| -> Vec<(Vertex, Vec<f32>)> {
-            match run(Level::Baseline, 64, state, &color_layout(), GL_LINES, given).pop() {
+            match run(Level::Baseline, 64, state, &color_layout(), PrimitiveMode::Lines, given).pop() {
                 Some(Got::Line(v, ..)) => v,
                 _ => vec![],
             }
@@ -151,7 +154,7 @@ fn a_floor_under_the_eye_reaches_from_the_near_plane_to_the_horizon() {
         0.0,
     ]);
     let given = [at(0.0, -1.0, 100.0), at(1e6, -1.0, -1e6), at(-1e6, -1.0, -1e6)];
-    let got = draw(&state, &color_layout(), GL_TRIANGLES, &given);
+    let got = draw(&state, &color_layout(), PrimitiveMode::Triangles, &given);
     assert!(!got.is_empty());
     let top = corners(&got).iter().map(|c| 50.0 + 50.0 * c[1] / c[3]).fold(f64::MIN, f64::max);
     assert!((top - (50.0 - 50.0 / 1e6)).abs() < 1e-9, "{top}");
@@ -165,7 +168,7 @@ fn flat_shading_keeps_its_colour_through_clipping() {
     for (v, k) in given.iter_mut().zip([0.25, 0.5, 0.75]) {
         v.current.color = [k; 4];
     }
-    for got in draw(&state, &color_layout(), GL_TRIANGLES, &given) {
+    for got in draw(&state, &color_layout(), PrimitiveMode::Triangles, &given) {
         let Got::Triangle(v, provoking, _) = got else { panic!() };
         assert_eq!(v[provoking].1, [0.75; 4]);
     }

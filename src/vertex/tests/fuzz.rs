@@ -7,6 +7,7 @@ use crate::state::fog::FogCoordSource;
 use crate::state::lighting::ColorControl;
 use crate::state::lighting::MaterialColor;
 use crate::state::lighting::ShadeModel;
+use crate::state::primitive::PrimitiveMode;
 use crate::state::raster::Face;
 use crate::state::texture::TexGenMode;
 use crate::vertex::batch::MAX_SLOTS;
@@ -146,7 +147,7 @@ fn random_states_and_vertices_agree_everywhere() {
     for _ in 0..400 {
         let state = random.state();
         let layout = random.layout(state.lighting.enabled);
-        let mode = random.bits() % 10;
+        let mode = random.pick(&PrimitiveMode::ALL);
         let given: Vec<Given> = (0..random.bits() % 90)
             .map(|_| {
                 let mut v = at(0.0, 0.0, 0.0);
@@ -167,7 +168,7 @@ fn random_states_and_vertices_agree_everywhere() {
         for level in Level::available() {
             let cut = random.pick(&[1, 3, 16, 50, 64]);
             let got = run(level, cut, &state, &layout, mode, &given);
-            assert!(format!("{got:?}") == want, "{level:?}, cut {cut}, mode {mode}");
+            assert!(format!("{got:?}") == want, "{level:?}, cut {cut}, mode {mode:?}");
             for primitive in got {
                 primitives += 1;
                 let vertices = match primitive {

@@ -1,16 +1,16 @@
 //! Lighting against values computed by hand from the equation of section 2.14.1.
 
 use super::*;
-use crate::enums::*;
 use crate::state::lighting::ColorControl;
 use crate::state::lighting::MaterialColor;
+use crate::state::primitive::PrimitiveMode;
 
 /// The colours of one vertex at the origin with a normal.
 fn lit(state: &State, layout: &Layout, normal: [f32; 3]) -> Vec<f32> {
     let mut v = at(0.0, 0.0, 0.0);
     v.current.normal = normal;
     v.current.color = [0.5, 0.25, 0.125, 0.5];
-    let got = draw(state, layout, GL_POINTS, &[v]);
+    let got = draw(state, layout, PrimitiveMode::Points, &[v]);
     let Got::Point((_, slots)) = &got[0] else { panic!("no point") };
     slots.clone()
 }
@@ -83,7 +83,7 @@ fn a_local_viewer_moves_the_highlight() {
     // The vertex at (0, 0.6, -0.8) sees the eye along (0, -0.6, 0.8); h = (0, -0.6, 1.8) / sqrt(3.6).
     let mut v = at(0.0, 0.6, -0.8);
     v.current.normal = [0.0, 0.0, 1.0];
-    let got = draw(&state, &color_layout(), GL_POINTS, &[v]);
+    let got = draw(&state, &color_layout(), PrimitiveMode::Points, &[v]);
     let Got::Point((_, slots)) = &got[0] else { panic!() };
     let want = 1.8 / 3.6f32.sqrt();
     close(slots, &[want, want, want, 1.0]);
@@ -108,7 +108,7 @@ fn unlit_colours_are_clamped() {
     let state = plain_state();
     let mut v = at(0.0, 0.0, 0.0);
     v.current.color = [2.0, -1.0, f32::NAN, 0.5];
-    let got = draw(&state, &color_layout(), GL_POINTS, &[v]);
+    let got = draw(&state, &color_layout(), PrimitiveMode::Points, &[v]);
     let Got::Point((_, slots)) = &got[0] else { panic!() };
     assert_eq!(slots, &[1.0, 0.0, 0.0, 0.5]);
 }

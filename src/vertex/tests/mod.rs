@@ -10,13 +10,13 @@ mod textured;
 use super::hand_on::TakePrimitives;
 use super::pipeline::VertexPipeline;
 use super::plan::Wants;
-use crate::enums::GLenum;
 use crate::fragment::planes::{Layout, UnitSlots};
 use crate::raster::PrimitiveSink;
 use crate::raster::vertex::{Vertex, VertexRef};
 use crate::simd::Level;
 use crate::state::State;
 use crate::state::current::Current;
+use crate::state::primitive::PrimitiveMode;
 
 /// A primitive as it came out.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,7 +80,14 @@ pub(super) fn tex_layout() -> Layout {
     layout
 }
 
-pub(super) fn run(level: Level, cut: usize, state: &State, layout: &Layout, mode: GLenum, given: &[Given]) -> Vec<Got> {
+pub(super) fn run(
+    level: Level,
+    cut: usize,
+    state: &State,
+    layout: &Layout,
+    mode: PrimitiveMode,
+    given: &[Given],
+) -> Vec<Got> {
     let mut pipe = VertexPipeline::new(level, cut);
     pipe.rebuild(state, layout, Wants { edges: true, ..Wants::default() });
     let mut out = Collect::default();
@@ -96,7 +103,7 @@ pub(super) fn run(level: Level, cut: usize, state: &State, layout: &Layout, mode
 }
 
 /// Runs at every level and several batch cuts, which must agree, and gives the result.
-pub(super) fn draw(state: &State, layout: &Layout, mode: GLenum, given: &[Given]) -> Vec<Got> {
+pub(super) fn draw(state: &State, layout: &Layout, mode: PrimitiveMode, given: &[Given]) -> Vec<Got> {
     let want = run(Level::Baseline, 64, state, layout, mode, given);
     for level in Level::available() {
         for cut in [64, 37, 16, 5, 3, 2, 1] {

@@ -1,8 +1,8 @@
 //! Which vertices make which primitives: tables 2.x of section 2.6 by number of vertex.
 
 use super::*;
-use crate::enums::*;
 use crate::raster::vertex::outcode;
+use crate::state::primitive::PrimitiveMode;
 
 /// Vertices whose x tells their number.
 fn numbered(n: usize) -> Vec<Given> {
@@ -13,7 +13,7 @@ fn number(v: &(Vertex, Vec<f32>)) -> usize {
     (v.0.clip[0] * 128.0) as usize
 }
 
-fn triangles(mode: GLenum, n: usize) -> Vec<([usize; 3], usize, [bool; 3])> {
+fn triangles(mode: PrimitiveMode, n: usize) -> Vec<([usize; 3], usize, [bool; 3])> {
     draw(&plain_state(), &color_layout(), mode, &numbered(n))
         .iter()
         .map(|got| match got {
@@ -25,7 +25,7 @@ fn triangles(mode: GLenum, n: usize) -> Vec<([usize; 3], usize, [bool; 3])> {
         .collect()
 }
 
-fn lines(mode: GLenum, n: usize) -> Vec<([usize; 2], usize, bool)> {
+fn lines(mode: PrimitiveMode, n: usize) -> Vec<([usize; 2], usize, bool)> {
     draw(&plain_state(), &color_layout(), mode, &numbered(n))
         .iter()
         .map(|got| match got {
@@ -39,21 +39,24 @@ const ALL: [bool; 3] = [true; 3];
 
 #[test]
 fn triangles_and_what_is_left_over() {
-    assert_eq!(triangles(GL_TRIANGLES, 8), [([0, 1, 2], 2, ALL), ([3, 4, 5], 5, ALL)]);
-    assert_eq!(triangles(GL_TRIANGLES, 2), []);
-    assert_eq!(triangles(GL_TRIANGLE_STRIP, 5), [([0, 1, 2], 2, ALL), ([2, 1, 3], 3, ALL), ([2, 3, 4], 4, ALL)]);
-    assert_eq!(triangles(GL_TRIANGLE_FAN, 4), [([0, 1, 2], 2, ALL), ([0, 2, 3], 3, ALL)]);
+    assert_eq!(triangles(PrimitiveMode::Triangles, 8), [([0, 1, 2], 2, ALL), ([3, 4, 5], 5, ALL)]);
+    assert_eq!(triangles(PrimitiveMode::Triangles, 2), []);
+    assert_eq!(
+        triangles(PrimitiveMode::TriangleStrip, 5),
+        [([0, 1, 2], 2, ALL), ([2, 1, 3], 3, ALL), ([2, 3, 4], 4, ALL)]
+    );
+    assert_eq!(triangles(PrimitiveMode::TriangleFan, 4), [([0, 1, 2], 2, ALL), ([0, 2, 3], 3, ALL)]);
 }
 
 #[test]
 fn quadrilaterals_have_a_diagonal_that_is_no_edge() {
-    let got = triangles(GL_QUADS, 11);
+    let got = triangles(PrimitiveMode::Quads, 11);
     assert_eq!(got.len(), 4);
     assert_eq!(got[0], ([0, 1, 3], 3, [true, false, true]));
     assert_eq!(got[1], ([1, 2, 3], 3, [true, true, false]));
     assert_eq!(got[3].0, [5, 6, 7]);
     // The outline of the first is 0 1 3 2, of the second 2 3 5 4.
-    let got = triangles(GL_QUAD_STRIP, 7);
+    let got = triangles(PrimitiveMode::QuadStrip, 7);
     assert_eq!(got.len(), 4);
     assert_eq!(got[0], ([2, 0, 3], 3, [true, false, true]));
     assert_eq!(got[1], ([0, 1, 3], 3, [true, true, false]));
@@ -62,9 +65,9 @@ fn quadrilaterals_have_a_diagonal_that_is_no_edge() {
 
 #[test]
 fn a_polygon_is_a_fan_with_the_colour_of_its_first_vertex() {
-    assert_eq!(triangles(GL_POLYGON, 3), [([0, 1, 2], 0, ALL)]);
+    assert_eq!(triangles(PrimitiveMode::Polygon, 3), [([0, 1, 2], 0, ALL)]);
     assert_eq!(
-        triangles(GL_POLYGON, 5),
+        triangles(PrimitiveMode::Polygon, 5),
         [
             ([0, 1, 2], 0, [true, true, false]),
             ([0, 2, 3], 0, [false, true, false]),
@@ -73,38 +76,45 @@ fn a_polygon_is_a_fan_with_the_colour_of_its_first_vertex() {
     );
     let mut given = numbered(4);
     given[1].current.edge_flag = false;
-    let got = draw(&plain_state(), &color_layout(), GL_POLYGON, &given);
+    let got = draw(&plain_state(), &color_layout(), PrimitiveMode::Polygon, &given);
     assert!(matches!(&got[0], Got::Triangle(_, 0, [true, false, false])), "{:?}", got[0]);
 }
 
 #[test]
 fn lines_strips_and_loops() {
-    assert_eq!(lines(GL_LINES, 5), [([0, 1], 1, true), ([2, 3], 3, true)]);
-    assert_eq!(lines(GL_LINE_STRIP, 4), [([0, 1], 1, true), ([1, 2], 2, false), ([2, 3], 3, false)]);
-    assert_eq!(lines(GL_LINE_LOOP, 3), [([0, 1], 1, true), ([1, 2], 2, false), ([2, 0], 0, false)]);
-    assert_eq!(lines(GL_LINE_LOOP, 1), []);
-    assert_eq!(lines(GL_LINE_LOOP, 2), [([0, 1], 1, true), ([1, 0], 0, false)]);
+    assert_eq!(lines(PrimitiveMode::Lines, 5), [([0, 1], 1, true), ([2, 3], 3, true)]);
+    assert_eq!(lines(PrimitiveMode::LineStrip, 4), [([0, 1], 1, true), ([1, 2], 2, false), ([2, 3], 3, false)]);
+    assert_eq!(lines(PrimitiveMode::LineLoop, 3), [([0, 1], 1, true), ([1, 2], 2, false), ([2, 0], 0, false)]);
+    assert_eq!(lines(PrimitiveMode::LineLoop, 1), []);
+    assert_eq!(lines(PrimitiveMode::LineLoop, 2), [([0, 1], 1, true), ([1, 0], 0, false)]);
 }
 
 #[test]
 fn points_are_drawn_inside_only() {
     let given = [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(1.0001, 0.0, 0.0), at(0.0, 0.0, -2.0)];
-    assert_eq!(draw(&plain_state(), &color_layout(), GL_POINTS, &given).len(), 2);
+    assert_eq!(draw(&plain_state(), &color_layout(), PrimitiveMode::Points, &given).len(), 2);
 }
 
 #[test]
 fn long_primitives_cross_batches() {
-    for mode in [GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_POLYGON, GL_QUAD_STRIP, GL_TRIANGLES, GL_QUADS] {
+    for mode in [
+        PrimitiveMode::TriangleStrip,
+        PrimitiveMode::TriangleFan,
+        PrimitiveMode::Polygon,
+        PrimitiveMode::QuadStrip,
+        PrimitiveMode::Triangles,
+        PrimitiveMode::Quads,
+    ] {
         let n = 125;
         let want = match mode {
-            GL_TRIANGLES => n / 3,
-            GL_QUADS => n / 4 * 2,
-            GL_QUAD_STRIP => n - 3,
+            PrimitiveMode::Triangles => n / 3,
+            PrimitiveMode::Quads => n / 4 * 2,
+            PrimitiveMode::QuadStrip => n - 3,
             _ => n - 2,
         };
-        assert_eq!(triangles(mode, n).len(), want, "mode {mode}");
+        assert_eq!(triangles(mode, n).len(), want, "mode {mode:?}");
     }
-    assert_eq!(lines(GL_LINE_LOOP, 125).len(), 125);
+    assert_eq!(lines(PrimitiveMode::LineLoop, 125).len(), 125);
 }
 
 #[test]
@@ -113,7 +123,7 @@ fn the_viewport_divides_scales_and_snaps() {
     (state.viewport.x, state.viewport.y) = (10, 20);
     (state.viewport.near, state.viewport.far) = (0.25, 0.75);
     let given = [Given { position: [1.0, -1.0, 0.5, 2.0], current: Current::default() }];
-    let got = draw(&state, &color_layout(), GL_POINTS, &given);
+    let got = draw(&state, &color_layout(), PrimitiveMode::Points, &given);
     let Got::Point((v, slots)) = &got[0] else { panic!() };
     assert_eq!(v.clip, [1.0, -1.0, 0.5, 2.0]);
     assert_eq!(v.window, [10.0 + 75.0, 20.0 + 25.0, 0.5 + 0.25 * 0.25]);
@@ -135,7 +145,7 @@ fn wild_positions_are_dropped_and_nothing_panics() {
             ]);
         }
     }
-    for mode in GL_POINTS..=GL_POLYGON {
+    for mode in PrimitiveMode::ALL {
         for got in draw(&plain_state(), &color_layout(), mode, &given) {
             let vertices = match got {
                 Got::Triangle(v, ..) | Got::Line(v, ..) => v,
@@ -155,7 +165,7 @@ fn small_primitives_share_batches() {
     pipe.rebuild(&plain_state(), &color_layout(), Wants::default());
     let mut out = Collect::default();
     for i in 0..10 {
-        pipe.begin(GL_TRIANGLES);
+        pipe.begin(PrimitiveMode::Triangles);
         for v in numbered(3 + i % 2) {
             assert!(!pipe.vertex(v.position, &v.current));
         }

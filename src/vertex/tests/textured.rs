@@ -1,12 +1,12 @@
 //! Texture coordinate generation and the texture matrix against values computed by hand.
 
 use super::*;
-use crate::enums::*;
+use crate::state::primitive::PrimitiveMode;
 use crate::state::texture::TexGenMode;
 use glam::{DMat4, DVec3};
 
 fn coordinates(state: &State, layout: &Layout, given: Given) -> Vec<f32> {
-    let got = draw(state, layout, GL_POINTS, &[given]);
+    let got = draw(state, layout, PrimitiveMode::Points, &[given]);
     let Got::Point((_, slots)) = &got[0] else { panic!("no point") };
     slots.clone()
 }
@@ -112,14 +112,14 @@ fn fog_and_point_size_take_the_distance() {
     state.point.distance_attenuation = [0.0, 0.0, 1.0];
     let layout = Layout { fog: Some(0), count: 1, stride: 1, ..Layout::default() };
     *state.transform.projection.top_mut() = DMat4::from_scale(DVec3::splat(0.1));
-    let got = draw(&state, &layout, GL_POINTS, &[at(0.0, 3.0, -4.0)]);
+    let got = draw(&state, &layout, PrimitiveMode::Points, &[at(0.0, 3.0, -4.0)]);
     let Got::Point((v, slots)) = &got[0] else { panic!() };
     assert_eq!(slots, &[4.0]);
     assert_eq!(v.point_size, 8.0 / 5.0);
     state.fog.coord_source = crate::state::fog::FogCoordSource::FogCoord;
     let mut v = at(0.0, 3.0, -4.0);
     v.current.fog_coord = 0.75;
-    let got = draw(&state, &layout, GL_POINTS, &[v]);
+    let got = draw(&state, &layout, PrimitiveMode::Points, &[v]);
     let Got::Point((_, slots)) = &got[0] else { panic!() };
     assert_eq!(slots, &[0.75]);
 }
