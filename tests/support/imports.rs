@@ -110,7 +110,7 @@ impl Graph {
     fn home(&self, path: &[String], depth: usize) -> Option<String> {
         let known = (0..=path.len()).rev().find(|n| self.modules.contains_key(&path[..*n].join("::")))?;
         let module = path[..known].join("::");
-        let Some(name) = path.get(known).filter(|_| depth < 8) else { return Some(module) };
+        let Some(name) = path.get(known).filter(|name| *name != "*" && depth < 8) else { return Some(module) };
         let exports = &self.modules[&module].exports;
         let through = exports.iter().find(|(export, to)| export == name && to[..] != path[..]).or_else(|| {
             exports.iter().find(|(export, to)| {
