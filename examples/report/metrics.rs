@@ -107,7 +107,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_by_hand() {
+    fn errors_are_those_worked_out_by_hand() {
         // Errors of 0, 0.5 (a rounding) and 3 in one channel each.
         let ideal = vec![[10.0, 20.0, 30.0, 0.0], [10.5, 20.0, 30.0, 0.0], [10.0, 23.0, 30.0, 0.0]];
         let picture = [[10, 20, 30, 255]; 3];
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn one_in_a_thousand() {
+    fn the_worst_in_a_thousand_is_left_out() {
         let values: Vec<f64> = (1..=2000).map(f64::from).collect();
         assert_eq!(p999(values), 1998.0);
         assert_eq!((p999(vec![7.0]), p999(Vec::new())), (7.0, 0.0));
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn similarity() {
+    fn similarity_is_one_for_the_same_and_negative_for_the_opposite() {
         let size = [32, 24];
         let wave = |phase: f32| -> Ideal {
             (0..32 * 24).map(|i| [128.0 + 100.0 * ((i % 32) as f32 * 0.7 + phase).sin(); 4]).collect()

@@ -201,7 +201,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn base64_of_the_rfc() {
+    fn base64_is_that_of_the_rfc() {
         let cases =
             [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")];
         for (plain, coded) in cases {

@@ -112,7 +112,7 @@ fn a_difference(a: &[u8], b: &[u8]) -> String {
 
 /// Draws one case, which `FIXEDGL_CASE` names, in several ways and prints its commands and which ways differ.
 #[test]
-fn one_case_in_words() {
+fn one_case_is_drawn_in_words() {
     let Some(case) = std::env::var("FIXEDGL_CASE").ok().and_then(|case| case.parse().ok()) else { return };
     let base = Config { threads: 1, ..Config::default() };
     let mut a = context(Config { general_plan: true, ..base });

@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_by_hand() {
+    fn the_table_is_that_worked_out_by_hand() {
         let env = |mode| Env { mode, color: [1.0, 0.0, 0.5, 0.75], ..Env::default() };
         let rgba = inputs(GL_RGBA, [0.2, 0.4, 0.6, 0.5]);
         assert_near(&env(GL_REPLACE).apply(&rgba), &[0.2, 0.4, 0.6, 0.5], 1e-15);
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn combine_functions_by_hand() {
+    fn combine_functions_are_those_worked_out_by_hand() {
         let i = inputs(GL_RGBA, [0.75, 0.5, 0.0, 0.25]);
         let run = |rgb, scale| {
             let combine = Combine { rgb, alpha: GL_REPLACE, rgb_scale: scale, ..Combine::default() };
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn the_crossbar_and_operands() {
+    fn the_crossbar_and_operands_choose_arguments() {
         let mut i = inputs(GL_RGBA, [0.75, 0.5, 0.0, 0.25]);
         let textures = [[0.1; 4], [0.2, 0.3, 0.4, 0.5]];
         i.textures = &textures;

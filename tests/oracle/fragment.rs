@@ -163,7 +163,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fog_factors() {
+    fn fog_factors_follow_the_equations() {
         let linear = Fog { mode: GL_LINEAR, start: 2.0, end: 10.0, color: [1.0, 0.0, 0.0, 0.0], ..Fog::default() };
         assert_near(&[linear.factor(4.0), linear.factor(1.0), linear.factor(11.0)], &[0.75, 1.0, 0.0], 1e-15);
         assert_near(&linear.apply([0.0, 1.0, 0.5, 0.3], 4.0), &[0.25, 0.75, 0.375, 0.3], 1e-15);
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn blending_by_hand() {
+    fn blending_is_that_worked_out_by_hand() {
         let (s, d) = ([0.8, 0.4, 0.0, 0.5], [0.2, 0.4, 0.6, 0.75]);
         let over = Blend::func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         assert_near(&over.apply(s, d), &[0.5, 0.4, 0.3, 0.625], 1e-15);
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn bits_and_bytes() {
+    fn bits_and_bytes_are_those_of_the_tables() {
         assert_eq!([to_byte(0.5), to_byte(-1.0), to_byte(7.0), to_byte(0.1)], [128, 0, 255, 26]);
         assert_eq!(logic_op(GL_XOR, 0b1100, 0b1010), 0b0110);
         assert_eq!(logic_op(GL_AND_REVERSE, 0b1100, 0b1010), 0b0100);

@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn two_levels_and_their_share() {
+    fn two_levels_have_their_share() {
         let s = LodState { min_filter: GL_LINEAR_MIPMAP_LINEAR, ..LodState::default() };
         assert_eq!(levels(&s, 2.25, 64), Levels::Two { d1: 2, d2: 3, t: 0.25, filter: GL_LINEAR });
         assert_eq!(levels(&s, 6.75, 64), Levels::Two { d1: 6, d2: 6, t: 0.75, filter: GL_LINEAR });

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_undoes() {
+    fn an_inverse_undoes_its_matrix() {
         let m =
             M4::perspective(50.0, 1.3, 0.5, 20.0).times(M4::look_at([1.0, 2.0, 5.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
         near(m.times(m.inverse().unwrap()), M4::IDENTITY);

@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn perspective_midpoint_by_hand() {
+    fn a_midpoint_in_perspective_is_that_worked_out_by_hand() {
         // w = 1 at the left, 3 at the right: halfway in the window, f = (0/1 + 1/3) / (1/1 + 1/3) = 1/4.
         let t = Triangle([window(0.0, 0.0, 0.0, 1.0), window(10.0, 0.0, 1.0, 3.0), window(0.0, 10.0, 0.0, 1.0)]);
         let (f, [dx, dy]) = t.interpolate([5.0, 0.0], [0.0, 1.0, 0.0], [1.0; 3]);

@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn facing_and_culling() {
+    fn faces_turn_and_are_culled() {
         let mut scene = Scene::new(4, 4);
         scene.cull = Some(GL_BACK);
         scene.quad(square(0.0));

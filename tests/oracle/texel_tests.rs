@@ -13,7 +13,7 @@ fn at(t: &Texture, filter: GLenum, s: f64) -> f64 {
 }
 
 #[test]
-fn wrap_modes_of_nearest() {
+fn nearest_wraps_in_every_mode() {
     let rows: [(GLenum, [i64; 7]); 8] = [
         // s =                         -1.1 -0.1  0.0 0.26 0.99  1.0 1.30
         (GL_REPEAT, [3, 3, 0, 1, 3, 0, 1]),
@@ -60,7 +60,7 @@ fn border_texels_are_used_where_the_image_has_them() {
 }
 
 #[test]
-fn two_and_three_dimensions() {
+fn two_and_three_dimensions_are_filtered() {
     let image = Image::from_fn(2, 2, |i, j| [(i + 10 * j) as f64; 4]);
     let t = Texture::flat(GL_RGBA, image);
     assert_near(&t.filter(0, 0, GL_LINEAR, [0.5, 0.5, 0.0], 0.0)[..1], &[5.5], 1e-15);
@@ -72,7 +72,7 @@ fn two_and_three_dimensions() {
 }
 
 #[test]
-fn cube_faces_and_ties() {
+fn cube_faces_are_chosen_and_ties_are_broken() {
     assert_eq!(cube_face([2.0, 1.0, -1.0]), (0, [0.75, 0.25]));
     assert_eq!(cube_face([-2.0, 1.0, -1.0]), (1, [0.25, 0.25]));
     assert_eq!(cube_face([1.0, 2.0, -1.0]), (2, [0.75, 0.25]));
@@ -102,7 +102,7 @@ fn a_sample_reports_its_level_and_its_distance_to_a_boundary() {
 }
 
 #[test]
-fn depth_comparison() {
+fn a_depth_comparison_gives_0_or_1() {
     let mut t = Texture::flat(GL_DEPTH_COMPONENT, Image::from_fn(1, 1, |_, _| [0.5, 0.0, 0.0, 0.0]));
     let at = |t: &Texture, r: f64| t.filter(0, 0, GL_NEAREST, [0.5, 0.5, 0.0], r);
     assert_eq!(at(&t, 0.7), [0.5, 0.5, 0.5, 1.0]);

@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn sphere_map_by_hand() {
+    fn a_sphere_map_is_that_worked_out_by_hand() {
         // A wall facing the eye, straight ahead: r = (0, 0, 1), so m = 4 and s = t = 1/2.
         let g = TexGen::new(GL_SPHERE_MAP);
         let eye = [0.0, 0.0, -3.0, 1.0];
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn separate_specular_and_two_sides() {
+    fn specular_light_is_kept_apart_and_sides_are_two() {
         let material = Material { specular: [0.25; 4], shininess: 4.0, ..Material::default() };
         let l = Lighting {
             separate_specular: true,

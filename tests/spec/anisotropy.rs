@@ -17,7 +17,7 @@ fn pyramid() -> Texture {
 }
 
 #[test]
-fn initial_value_limit_and_errors() {
+fn the_initial_value_is_one_and_wrong_ones_are_refused() {
     let mut cx = Context::new(4, 4);
     let mut v = [0f32];
     cx.get_tex_parameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &mut v);

@@ -34,7 +34,7 @@ fn with_arrays() -> Context {
 }
 
 #[test]
-fn initial_state_and_errors() {
+fn the_initial_state_is_the_tables_and_errors_are_told() {
     let mut cx = Context::new(4, 4);
     for (pname, want) in [
         (GL_VERTEX_ARRAY, 0),
@@ -105,7 +105,7 @@ fn every_index_type_and_array_element() {
 }
 
 #[test]
-fn types_and_strides() {
+fn every_type_and_stride_draws_the_same() {
     let want = immediate(GL_TRIANGLE_STRIP, &[0, 1, 2, 3, 4, 5]);
     // Doubles, with two numbers between the vertices.
     let wide: Vec<[f64; 5]> = POSITIONS.iter().map(|p| [p[0].into(), p[1].into(), p[2].into(), 7.0, 8.0]).collect();
@@ -192,7 +192,7 @@ fn indices_out_of_range_never_end_the_program() {
 }
 
 #[test]
-fn interleaved_arrays() {
+fn interleaved_arrays_draw_what_separate_ones_do() {
     let want = immediate(GL_TRIANGLE_STRIP, &[0, 1, 2, 3, 4, 5]);
     let mut bytes = Vec::new();
     for (p, c) in POSITIONS.iter().zip(COLORS) {

@@ -91,7 +91,7 @@ fn the_stacks_have_ends() {
 }
 
 #[test]
-fn the_client_groups() {
+fn client_groups_come_back() {
     let mut cx = Context::new(4, 4);
     cx.push_client_attrib(GL_CLIENT_ALL_ATTRIB_BITS);
     cx.pixel_storei(GL_UNPACK_ALIGNMENT, 1);

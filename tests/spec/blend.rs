@@ -42,7 +42,7 @@ fn blended(blend: Blend, seed: u64) -> Figures {
 }
 
 #[test]
-fn initial_state_and_errors() {
+fn the_initial_state_is_the_tables_and_errors_are_told() {
     let mut cx = Context::new(4, 4);
     for (pname, want) in [
         (GL_BLEND, 0),
@@ -68,7 +68,7 @@ fn initial_state_and_errors() {
 }
 
 #[test]
-fn every_pair_of_factors() {
+fn every_pair_of_factors_blends_as_the_oracle_does() {
     let mut all = Figures::default();
     for source in FACTORS.into_iter().chain([GL_SRC_ALPHA_SATURATE]) {
         for destination in FACTORS {
@@ -83,7 +83,7 @@ fn every_pair_of_factors() {
 }
 
 #[test]
-fn every_equation_and_separate_functions() {
+fn every_equation_and_separate_function_blends_as_the_oracle_does() {
     let mut random = Random(12);
     for equation in [GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX] {
         let mut all = Figures::default();
@@ -103,7 +103,7 @@ fn every_equation_and_separate_functions() {
 }
 
 #[test]
-fn alpha_and_depth_tests() {
+fn alpha_and_depth_tests_drop_fragments() {
     for func in COMPARISONS {
         let mut scene = heap(96, 96, 14, 1.0, 4);
         scene.alpha = Some((func, 0.5));
@@ -126,7 +126,7 @@ fn fill(cx: &mut Context, c: [u8; 4]) {
 }
 
 #[test]
-fn logic_operations() {
+fn logic_operations_work_bit_by_bit() {
     let operations = GL_CLEAR..=GL_SET;
     let (s, d) = ([0b1100_1010, 0x0F, 0xAA, 0x77], [0b1010_0110, 0x3C, 0x55, 0xE1]);
     for op in operations {
@@ -142,7 +142,7 @@ fn logic_operations() {
 }
 
 #[test]
-fn masks_and_scissor() {
+fn masks_and_the_scissor_box_keep_what_was_there() {
     let mut cx = Context::new(4, 4);
     fill(&mut cx, [10, 20, 30, 40]);
     cx.color_mask(true, false, true, false);

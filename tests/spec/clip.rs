@@ -21,7 +21,7 @@ fn planes_are_kept_in_eye_coordinates() {
 }
 
 #[test]
-fn the_volume_and_user_planes() {
+fn the_volume_and_user_planes_clip_as_in_the_oracle() {
     let mut random = Random(4);
     for seed in 0..8 {
         let mut scene = heap(96, 96, 10, 1.0, 100 + seed);

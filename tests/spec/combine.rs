@@ -54,7 +54,7 @@ fn random_combine(random: &mut Random, units: u32, rgb: GLenum, alpha: GLenum) -
 }
 
 #[test]
-fn every_function_with_random_arguments() {
+fn every_function_agrees_with_the_oracle_on_random_arguments() {
     let mut random = Random(31);
     let mut all = Figures::default();
     for rgb in FUNCTIONS.into_iter().chain([GL_DOT3_RGB, GL_DOT3_RGBA]) {
@@ -86,7 +86,7 @@ impl Envs for Vec<Unit> {
 }
 
 #[test]
-fn the_crossbar_over_four_units() {
+fn the_crossbar_reaches_four_units() {
     let mut random = Random(77);
     let mut all = Figures::default();
     for _ in 0..12 {

@@ -39,7 +39,7 @@ fn nearest_and_linear_on_all_faces() {
 }
 
 #[test]
-fn trilinear_on_all_faces() {
+fn all_faces_are_filtered_trilinearly() {
     let mut t = faces();
     t.lod.min_filter = GL_LINEAR_MIPMAP_LINEAR;
     t.wrap = [GL_CLAMP_TO_EDGE; 3];
@@ -76,7 +76,7 @@ fn each_of_26_directions_reads_the_face_of_the_rule() {
 }
 
 #[test]
-fn errors_of_cube_images() {
+fn wrong_cube_images_are_refused() {
     let mut cx = Context::new(4, 4);
     let px = [0u8; 64];
     raises(&mut cx, GL_INVALID_VALUE, |cx| {

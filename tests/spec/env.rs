@@ -25,7 +25,7 @@ fn is_defined(mode: GLenum, base: GLenum) -> bool {
 }
 
 #[test]
-fn the_initial_environment() {
+fn the_initial_environment_is_the_tables() {
     let mut cx = Context::new(4, 4);
     let mut v = [0i32; 4];
     cx.get_tex_enviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, &mut v);
@@ -52,7 +52,7 @@ fn the_initial_environment() {
 }
 
 #[test]
-fn wrong_values() {
+fn wrong_values_are_refused() {
     let mut cx = Context::new(4, 4);
     raises(&mut cx, GL_INVALID_ENUM, |cx| cx.tex_envi(GL_TEXTURE_2D, GL_TEXTURE_ENV_MODE, GL_REPLACE));
     raises(&mut cx, GL_INVALID_ENUM, |cx| cx.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_WRAP_S, GL_REPLACE));

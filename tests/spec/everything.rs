@@ -200,7 +200,7 @@ fn is_smooth(scene: &Scene) -> bool {
 }
 
 #[test]
-fn random_states_of_all_chapters() {
+fn random_states_of_all_chapters_agree_with_the_oracle() {
     let mut random = Random(20_031_030);
     let mut all = Figures::default();
     let mut drawn = 0;

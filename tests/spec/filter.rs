@@ -27,7 +27,7 @@ fn linear(mut texture: Texture) -> Texture {
 }
 
 #[test]
-fn the_initial_filters() {
+fn the_initial_filters_are_the_tables() {
     let mut cx = Context::new(4, 4);
     let mut v = [0i32];
     cx.get_tex_parameteriv(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, &mut v);

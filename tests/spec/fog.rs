@@ -9,7 +9,7 @@ use fixedgl::Context;
 use fixedgl::enums::*;
 
 #[test]
-fn initial_state_and_errors() {
+fn the_initial_state_is_the_tables_and_errors_are_told() {
     let mut cx = Context::new(4, 4);
     assert_eq!(get_i(&mut cx, GL_FOG), 0);
     assert_eq!(get_i(&mut cx, GL_FOG_MODE) as u32, GL_EXP);
@@ -25,7 +25,7 @@ fn initial_state_and_errors() {
 }
 
 #[test]
-fn every_mode_and_source() {
+fn every_mode_and_source_agrees_with_the_oracle() {
     for mode in [GL_LINEAR, GL_EXP, GL_EXP2] {
         for from_coordinate in [false, true] {
             let mut scene = heap(96, 96, 12, 1.0, 8);
@@ -39,7 +39,7 @@ fn every_mode_and_source() {
 }
 
 #[test]
-fn colour_sum_and_fog() {
+fn the_colour_sum_comes_before_fog() {
     let mut scene = heap(96, 96, 12, 1.0, 18);
     scene.color_sum = true;
     compare(&scene, EDGES).within_one_lsb("colour sum");

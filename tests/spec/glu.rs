@@ -152,7 +152,7 @@ fn the_unpack_state_is_read_and_put_back() {
 }
 
 #[test]
-fn packed_types_and_pixel_transfer() {
+fn packed_types_and_pixel_transfer_reach_the_levels() {
     let mut cx = context();
     // 5_6_5: pure red, green, blue, white.
     let texels = [0xf800u16, 0x07e0, 0x001f, 0xffff];
@@ -188,7 +188,7 @@ fn sizes_are_fitted_to_the_limit() {
 }
 
 #[test]
-fn some_levels_only() {
+fn some_levels_can_be_built_alone() {
     let mut cx = context();
     let row: [u8; 8] = [0, 100, 200, 255, 10, 20, 30, 40];
     let mut build = |levels, size: [i32; 2]| {
@@ -206,7 +206,7 @@ fn some_levels_only() {
 }
 
 #[test]
-fn codes_and_sentences() {
+fn failures_give_codes_and_sentences() {
     let mut cx = context();
     let heard = Arc::new(Mutex::new(Vec::new()));
     let ears = Arc::clone(&heard);

@@ -20,7 +20,7 @@ fn near(a: M4, b: M4, eps: f64) {
 }
 
 #[test]
-fn matrices() {
+fn matrices_are_those_of_the_oracle() {
     let mut cx = Context::new(4, 4);
     glu::perspective(&mut cx, 40.0, 1.5, 0.5, 30.0);
     near(current(&mut cx), M4::perspective(40.0, 1.5, 0.5, 30.0), 1e-12);
@@ -41,7 +41,7 @@ fn matrices() {
 }
 
 #[test]
-fn projection_and_back() {
+fn unproject_undoes_project() {
     let mut random = Random(3);
     let viewport = [10, -5, 300, 200];
     let view = viewport.map(f64::from);
@@ -174,7 +174,7 @@ fn a_sphere_wears_its_texture() {
 }
 
 #[test]
-fn error_strings() {
+fn errors_have_sentences() {
     assert!(glu::error_string(GL_INVALID_ENUM).is_some_and(|s| s.contains("enum")));
     assert!(glu::error_string(glu::GLU_OUT_OF_MEMORY).is_some_and(|s| s.contains("memory")));
     assert_eq!(glu::get_string(glu::GLU_VERSION), Some("1.3"));

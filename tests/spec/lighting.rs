@@ -75,7 +75,7 @@ fn run(name: &str, rounds: u64, change: impl Fn(&mut Random, &mut Lighting, &mut
 }
 
 #[test]
-fn initial_state() {
+fn the_initial_state_is_the_tables() {
     let mut cx = Context::new(4, 4);
     let mut v = [9f32; 4];
     for (face, pname, want) in [
@@ -107,7 +107,7 @@ fn initial_state() {
 }
 
 #[test]
-fn wrong_arguments() {
+fn wrong_arguments_are_refused() {
     let mut cx = Context::new(4, 4);
     raises(&mut cx, GL_INVALID_ENUM, |cx| cx.lightf(GL_LIGHT0 + 8, GL_SPOT_CUTOFF, 10.0));
     raises(&mut cx, GL_INVALID_VALUE, |cx| cx.lightf(GL_LIGHT0, GL_SPOT_CUTOFF, 91.0));
@@ -121,12 +121,12 @@ fn wrong_arguments() {
 }
 
 #[test]
-fn one_sided_infinite_viewer() {
+fn one_side_and_an_infinite_viewer_are_lit_as_by_the_oracle() {
     run("lighting", 24, |_, _, scene| scene.vertex.normalize = true);
 }
 
 #[test]
-fn local_viewer_and_separate_specular() {
+fn a_local_viewer_and_separate_specular_light_are_those_of_the_oracle() {
     run("local viewer", 16, |random, l, scene| {
         l.local_viewer = true;
         l.separate_specular = random.below(2) == 0;
@@ -135,7 +135,7 @@ fn local_viewer_and_separate_specular() {
 }
 
 #[test]
-fn two_sides() {
+fn back_faces_have_their_own_light() {
     run("two-sided", 16, |random, l, scene| {
         l.two_side = true;
         scene.cull = Some(if random.below(2) == 0 { GL_FRONT } else { GL_BACK });
@@ -144,7 +144,7 @@ fn two_sides() {
 }
 
 #[test]
-fn colour_material() {
+fn materials_follow_the_current_colour() {
     run("colour material", 20, |random, l, _| {
         let face = random.pick(&[GL_FRONT, GL_BACK, GL_FRONT_AND_BACK]);
         let mode = random.pick(&[GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE]);
@@ -153,7 +153,7 @@ fn colour_material() {
 }
 
 #[test]
-fn scaled_normals() {
+fn normals_are_rescaled_and_normalised() {
     run("rescale normal", 8, |random, _, scene| {
         let k = random.range(0.5, 1.2);
         scene.vertex.modelview = scene.vertex.modelview.times(M4::scaling(k, k, k));

@@ -43,7 +43,7 @@ fn a_list_draws_what_its_commands_draw() {
 }
 
 #[test]
-fn nested_lists_and_bases() {
+fn lists_nest_and_names_begin_at_the_base() {
     let mut cx = Context::new(4, 4);
     let base = cx.gen_lists(3);
     assert!(base > 0 && cx.is_list(base) && cx.is_list(base + 2) && !cx.is_list(base + 3));

@@ -42,7 +42,7 @@ fn upload(gl: &mut Context, size: [i32; 2], format: GLenum, type_: GLenum, bytes
 }
 
 #[test]
-fn initial_state() {
+fn the_initial_state_is_the_tables() {
     let mut gl = context();
     for (pname, want) in [
         (GL_UNPACK_SWAP_BYTES, 0),

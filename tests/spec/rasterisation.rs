@@ -46,7 +46,7 @@ fn emit(cx: &mut Context, mode: GLenum, points: &[[f32; 2]]) {
 }
 
 #[test]
-fn initial_state_and_errors() {
+fn the_initial_state_is_the_tables_and_errors_are_told() {
     let mut cx = Context::new(4, 4);
     assert_eq!(get_f::<1>(&mut cx, GL_POINT_SIZE), [1.0]);
     assert_eq!(get_f::<1>(&mut cx, GL_LINE_WIDTH), [1.0]);
@@ -174,7 +174,7 @@ fn colours_are_interpolated_in_perspective() {
 }
 
 #[test]
-fn facing_and_culling() {
+fn facing_and_culling_agree_with_the_oracle() {
     for cull in [GL_FRONT, GL_BACK, GL_FRONT_AND_BACK] {
         for clockwise in [false, true] {
             let mut scene = heap(64, 64, 20, 1.0, 5);
@@ -222,7 +222,7 @@ fn depth_is_that_of_the_plane_and_offset_moves_it() {
 }
 
 #[test]
-fn thin_and_degenerate_triangles() {
+fn thin_and_degenerate_triangles_cover_what_the_oracle_says() {
     let mut random = Random(61);
     for _ in 0..200 {
         let a = grid(&mut random, 64);

@@ -16,7 +16,7 @@ fn depths() -> Texture {
 }
 
 #[test]
-fn comparisons_and_modes() {
+fn every_comparison_and_mode_agrees_with_the_oracle() {
     let functions = [GL_LEQUAL, GL_GEQUAL, GL_LESS, GL_GREATER, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER];
     for func in functions {
         for mode in [GL_LUMINANCE, GL_INTENSITY, GL_ALPHA] {

@@ -16,7 +16,7 @@ fn texture() -> Texture {
 }
 
 #[test]
-fn initial_state_and_errors() {
+fn the_initial_state_is_the_tables_and_errors_are_told() {
     let mut cx = Context::new(4, 4);
     let coords = [GL_S, GL_T, GL_R, GL_Q];
     for (i, coord) in coords.into_iter().enumerate() {
@@ -40,7 +40,7 @@ fn initial_state_and_errors() {
 }
 
 #[test]
-fn object_and_eye_planes() {
+fn object_and_eye_planes_generate_what_the_oracle_does() {
     for mode in [GL_OBJECT_LINEAR, GL_EYE_LINEAR] {
         let mut scene = ball(96, 96);
         let plane = |a, b, c, d| {
@@ -56,7 +56,7 @@ fn object_and_eye_planes() {
 }
 
 #[test]
-fn sphere_map_on_a_ball() {
+fn a_sphere_map_lies_on_a_ball() {
     let mut scene = ball(96, 96);
     scene.vertex.units[0].texgen = [Some(TexGen::new(GL_SPHERE_MAP)), Some(TexGen::new(GL_SPHERE_MAP)), None, None];
     scene.units = vec![replace(texture())];
@@ -84,7 +84,7 @@ fn reflection_and_normal_maps_on_a_ball() {
 }
 
 #[test]
-fn texture_matrices() {
+fn texture_matrices_turn_coordinates() {
     let mut scene = ball(96, 96);
     scene.vertex.units[0].matrix =
         M4::translation(0.5, 0.25, 0.0).times(M4::rotation(30.0, [0.0, 0.0, 1.0])).times(M4::scaling(3.0, 2.0, 1.0));

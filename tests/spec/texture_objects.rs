@@ -29,7 +29,7 @@ fn noise(n: usize, seed: u64) -> Vec<u8> {
 }
 
 #[test]
-fn initial_state() {
+fn the_initial_state_is_the_tables() {
     let mut cx = Context::new(4, 4);
     for target in [GL_TEXTURE_1D, T, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE_ARB] {
         let mut v = [0f32; 4];
@@ -87,7 +87,7 @@ fn every_base_format_keeps_its_components() {
 }
 
 #[test]
-fn level_parameters() {
+fn levels_tell_their_parameters() {
     let mut cx = Context::new(4, 4);
     cx.tex_image_2d(T, 2, GL_RGBA8, 18, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
     no_error(&mut cx);
@@ -126,7 +126,7 @@ fn pixel_storage_finds_the_texels() {
 }
 
 #[test]
-fn packed_types_and_swapped_bytes() {
+fn packed_types_and_swapped_bytes_are_read() {
     let mut cx = Context::new(4, 4);
     cx.tex_image_2d(T, 0, GL_RGB8, 2, 1, 0, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, &[0xF81Fu16, 0x07E0]);
     assert_eq!(image(&mut cx, GL_RGB, 3, 2), [255, 0, 255, 0, 255, 0]);
@@ -175,7 +175,7 @@ fn subimages_replace_a_part() {
 }
 
 #[test]
-fn errors_of_tex_image() {
+fn tex_image_refuses_wrong_arguments() {
     let mut cx = Context::new(4, 4);
     let px = noise(4 * 64, 1);
     let give = |cx: &mut Context, target, level, inner: GLenum, w, h, border, format, type_| {
@@ -313,7 +313,7 @@ fn an_earlier_draw_keeps_its_texels() {
 }
 
 #[test]
-fn copies_from_the_frame_buffer() {
+fn images_are_copied_from_the_framebuffer() {
     let mut cx = Context::new(8, 8);
     cx.enable(GL_SCISSOR_TEST);
     for y in 0..8u8 {

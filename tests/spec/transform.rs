@@ -22,7 +22,7 @@ fn distance(a: M4, b: M4) -> f64 {
 }
 
 #[test]
-fn initial_state() {
+fn the_initial_state_is_the_tables() {
     let mut cx = Context::new(320, 200);
     for name in [GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX] {
         assert_eq!(matrix(&mut cx, name), M4::IDENTITY);
@@ -37,7 +37,7 @@ fn initial_state() {
 }
 
 #[test]
-fn every_matrix_command() {
+fn every_matrix_command_multiplies_as_the_oracle_does() {
     let mut random = Random(9);
     let mut worst = 0.0f64;
     for _ in 0..200 {
@@ -149,7 +149,7 @@ fn a_texture_stack_for_each_unit() {
 }
 
 #[test]
-fn wrong_arguments() {
+fn wrong_arguments_are_refused() {
     let mut cx = Context::new(4, 4);
     cx.translatef(1.0, 2.0, 3.0);
     let before = matrix(&mut cx, GL_MODELVIEW_MATRIX);

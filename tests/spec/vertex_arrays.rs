@@ -99,7 +99,7 @@ fn every_type_of_position_and_colour_gives_the_picture_of_begin_and_end() {
 }
 
 #[test]
-fn strides_and_index_types() {
+fn every_stride_and_index_type_draws_the_same() {
     let want = wanted();
     // Position and colour in one record of 11 bytes: nothing is aligned.
     let mut records = Vec::new();
