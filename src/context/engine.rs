@@ -109,7 +109,7 @@ impl Engine {
             pipe: VertexPipeline::new(config.level, config.batch_cut),
             draw_workers: Vec::new(),
             setup_jobs: SetupJobPool::default(),
-            scene: Scene::new(config.threads, config.batch_cut).at_level(config.level),
+            scene: Scene::new(config.threads, config.batch_cut, config.level),
             program: None,
             drawing: false,
             q_units: 0,

@@ -138,7 +138,7 @@ impl Engine {
             let passed = self.scene.make_room(&mut self.framebuffer, self.config.threads);
             self.queries.passed += passed;
         } else if self.batches >= LONG && self.inside_begin_end() {
-            self.scene.hand_over(&mut self.framebuffer, self.config.threads);
+            self.scene.start_rasterising(&mut self.framebuffer, self.config.threads);
         }
     }
 

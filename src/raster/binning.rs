@@ -1,47 +1,44 @@
-//! Walking a scene. With one thread, or little to do, the primitives are walked in issue order over the whole
-//! framebuffer. Otherwise each is filed in the bands of rows that it touches, in issue order, and workers take one band
-//! after the other. A pixel lies in one band, so it sees the same fragments in the same order in either case, and since a
-//! fragment depends on nothing but its primitive and its position, the result is the same to the last bit.
+//! Rasterising primitives over a band of rows, and filing them in the bands that they touch. A pixel lies in one band, and
+//! a band sees its primitives in issue order. A fragment depends on nothing but its primitive and its position, so the
+//! result is the same to the last bit whether there is one band, the whole framebuffer, or many, on any number of threads.
 
 use super::draw::Draw;
 use super::emit::{Emitter, FragmentSink};
 use super::geometry::{Coverage, Prim, SceneGeometry};
 use super::program_trait::FragmentProgram;
-use super::worker_pool::{PAYS, WorkerPool};
+use super::worker_pool::WORTH_A_THREAD;
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{PlanePool, Planes};
 use crate::fragment::program::ORDINARY;
-use crate::framebuffer::{Band, Framebuffer};
-use crate::simd::Level;
+use crate::framebuffer::Band;
 use std::ops::Range;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
-/// What is to be walked.
+/// Primitives to be rasterised, and the draws that they belong to.
 #[derive(Debug)]
 pub(super) struct RasterPass<'a, P> {
     pub draws: &'a [Arc<Draw<P>>],
     pub geometry: &'a SceneGeometry,
+    /// Fragments after which a batch is cut; any number gives the same result.
     pub cut: usize,
-    /// What emitters work at.
-    pub level: Level,
 }
 
-/// What a primitive costs besides its fragments.
+/// What a primitive costs besides its fragments, in the unit of [`ORDINARY`].
 const PRIMITIVE: u64 = 16 * ORDINARY;
-/// Pixels of a primitive, on average, from which on it pays to ask what those of each cost.
+/// Average pixels of a primitive from which on it pays to ask the program what the pixels of each one cost.
 const LARGE: u64 = 256;
 
-/// Bytes of colour and depth that a band has at most where that leaves enough rows: they stay in the second-level cache.
-const BAND: u32 = 512 << 10;
+/// Most bytes of colour and depth in a band, unless that leaves fewer than 8 rows: they stay in the second-level cache.
+const BAND_BYTES: u32 = 512 << 10;
 
-/// Rows of a band: about 32 bands, so that workers end at about the same time, but not so low that large triangles are
-/// set up for their rows again and again.
+/// Rows of a band, a power of two: about 32 bands, so that workers end at about the same time, but at least 8 rows, since
+/// the edges of a large triangle are set up anew for each band.
 pub(super) fn band_rows(width: u32, height: u32) -> u32 {
-    let fit = (BAND / 8 / width.clamp(1, BAND)).max(1);
+    let fit = (BAND_BYTES / 8 / width.clamp(1, BAND_BYTES)).max(1);
     (height / 32).next_power_of_two().min(1 << fit.ilog2()).clamp(8, 64)
 }
 
-/// A program with all that it works on.
+/// A fragment program with all that it works on.
 struct BandProgram<'a, 'b, P> {
     program: &'a P,
     planes: &'a [Planes],
@@ -63,67 +60,8 @@ impl<P: FragmentProgram> FragmentSink for BandProgram<'_, '_, P> {
     }
 }
 
-/// Walks a scene over a framebuffer.
-pub(super) fn flush<P: FragmentProgram>(
-    flush: &RasterPass<P>,
-    framebuffer: &mut Framebuffer,
-    (pool, threads): (&WorkerPool, usize),
-    bins: &mut Vec<Vec<u32>>,
-    emitters: &mut Vec<Emitter>,
-) -> u64 {
-    let geometry = flush.geometry;
-    let height = framebuffer.height();
-    let rows = band_rows(framebuffer.width(), height);
-    let count = height.div_ceil(rows) as usize;
-    let workers = if threads == 1 { 1 } else { threads.min(count).min(flush.worth()) };
-    emitters.resize_with(emitters.len().max(workers), || Emitter::new(flush.level));
-    // One thread, too, goes band by band where pixels are drawn over and over: a band stays in the cache.
-    let area = u64::from(framebuffer.width()) * u64::from(height);
-    let layered = geometry.pixels >= 2 * area && flush.is_large();
-    // So does a clear that waits, if most of what it fills is drawn into.
-    let clears = framebuffer.has_deferred_clear() && geometry.pixels >= area / 2;
-    if workers == 1 && !layered && !clears {
-        let mut band = framebuffer.band();
-        if let Some(emitter) = emitters.first_mut() {
-            let all = 0..u32::try_from(geometry.prims.len()).unwrap_or(u32::MAX);
-            flush.walk(all, &mut band, emitter);
-        }
-        return band.samples;
-    }
-    file(geometry, bins, count, rows);
-    let mut bands = framebuffer.bands(rows);
-    if workers == 1 {
-        for (band, bin) in bands.iter_mut().zip(bins.iter()) {
-            if let Some(emitter) = emitters.first_mut() {
-                flush.walk(bin.iter().copied(), band, emitter);
-            }
-        }
-        return bands.iter().map(|band| band.samples).sum();
-    }
-    let queue = Mutex::new(apart(bands.iter_mut().zip(bins.iter()).collect(), workers));
-    let work = |emitter: &mut Emitter| {
-        loop {
-            let next = queue.lock().ok().and_then(|mut queue| queue.next());
-            let Some((band, bin)) = next else { break };
-            flush.walk(bin.iter().copied(), band, emitter);
-        }
-    };
-    pool.share(emitters.iter_mut().take(workers), work);
-    drop(queue);
-    bands.iter().map(|band| band.samples).sum()
-}
-
-/// Bands in an order in which those that are worked on at the same time are not neighbours: a processor that reads ahead of
-/// a band takes the next one's lines away from the one that writes them.
-fn apart<T>(bands: Vec<T>, workers: usize) -> impl Iterator<Item = T> {
-    let each = bands.len().div_ceil(workers.max(1)).max(1);
-    let mut bands: Vec<_> = bands.into_iter().enumerate().collect();
-    bands.sort_by_key(|(i, _)| i % each);
-    bands.into_iter().map(|(_, band)| band)
-}
-
-/// Files each primitive in the bands that it touches.
-pub(super) fn file(geometry: &SceneGeometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) {
+/// Files each primitive in the bands that it touches, in issue order.
+pub(super) fn bin_primitives(geometry: &SceneGeometry, bins: &mut Vec<Vec<u32>>, count: usize, rows: u32) {
     bins.resize_with(bins.len().max(count), Vec::new);
     bins.iter_mut().for_each(Vec::clear);
     let shift = rows.trailing_zeros();
@@ -140,12 +78,12 @@ pub(super) fn file(geometry: &SceneGeometry, bins: &mut Vec<Vec<u32>>, count: us
 
 impl<P: FragmentProgram> RasterPass<'_, P> {
     /// Whether its primitives are large, and so not many.
-    fn is_large(&self) -> bool {
+    pub fn is_large(&self) -> bool {
         self.geometry.pixels >= LARGE * self.geometry.prims.len() as u64
     }
 
-    /// How many threads it is worth.
-    fn worth(&self) -> usize {
+    /// How many threads the work is worth.
+    pub fn useful_threads(&self) -> usize {
         let (prims, pool) = (&self.geometry.prims, self.geometry.pool.all());
         let work = if self.is_large() {
             let work = prims.iter().zip(&self.geometry.planes).map(|(prim, planes)| {
@@ -156,11 +94,11 @@ impl<P: FragmentProgram> RasterPass<'_, P> {
         } else {
             self.geometry.pixels * ORDINARY + prims.len() as u64 * PRIMITIVE
         };
-        usize::try_from(work / PAYS).unwrap_or(usize::MAX).saturating_add(1)
+        usize::try_from(work / WORTH_A_THREAD).unwrap_or(usize::MAX).saturating_add(1)
     }
 
-    /// Walks primitives over a band.
-    pub fn walk(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
+    /// Rasterises primitives over a band, in the order in which their indices come.
+    pub fn rasterise(&self, prims: impl Iterator<Item = u32>, band: &mut Band<'_>, to: &mut Emitter) {
         let rows = band.y0 as i32..band.y0.saturating_add(band.rows) as i32;
         band.apply_deferred_clear();
         to.begin(band, self.cut);
@@ -190,7 +128,7 @@ impl<P: FragmentProgram> RasterPass<'_, P> {
         to.finish(&mut sink);
     }
 
-    /// Most primitives of large scenes are masks, so they have a path to themselves.
+    /// A small triangle. Most primitives of large scenes are such, so that they have a path of their own.
     #[inline(always)]
     fn mask([x, y]: [i32; 2], mut bits: u64, rows: &Range<i32>, to: &mut Emitter, sink: &mut impl FragmentSink) {
         let mut row = y;
@@ -200,7 +138,7 @@ impl<P: FragmentProgram> RasterPass<'_, P> {
             row += skip;
         }
         if rows.end - row < 8 {
-            // Rows beyond the band are another worker's.
+            // Rows above the band belong to another one.
             bits &= u64::MAX.checked_shr(64 - 8 * (rows.end - row).clamp(0, 8).unsigned_abs()).unwrap_or(0);
         }
         to.mask(x, row, bits, sink);
@@ -243,9 +181,9 @@ impl<P: FragmentProgram> RasterPass<'_, P> {
                     }),
                 }
             }
-            Coverage::AliasedLine(i) => {
+            Coverage::Line(i) => {
                 let Some(line) = geometry.lines.get(i as usize) else { return };
-                line.walk(rows.clone(), rs.line_stipple, to, sink);
+                line.rasterise(rows.clone(), rs.line_stipple, to, sink);
             }
             Coverage::Rect(rect) => {
                 for y in cut(rect.y0, rect.y1) {
@@ -265,7 +203,7 @@ impl<P: FragmentProgram> RasterPass<'_, P> {
             }
             Coverage::Outline(i) => {
                 let Some(outline) = geometry.outlines.get(i as usize) else { return };
-                // Only polygons are stippled this way; a smooth line is stippled by setup, and its outline has 4 corners.
+                // The polygon stipple holds for triangles. A smooth line, whose outline has 4 corners, is stippled by setup.
                 let pattern = stipple.filter(|_| outline.count == 3);
                 for y in cut(outline.rect.y0, outline.rect.y1) {
                     let row = outline.row(y);
@@ -284,21 +222,11 @@ impl<P: FragmentProgram> RasterPass<'_, P> {
 
 #[cfg(test)]
 mod tests {
-    use super::{ORDINARY, PAYS, RasterPass, apart};
+    use super::{ORDINARY, RasterPass, WORTH_A_THREAD};
     use crate::raster::geometry::{Coverage, SceneGeometry};
     use crate::raster::state::Rect;
     use crate::raster::testing::TestCanvas;
-    use crate::simd::Level;
     use std::slice::from_ref;
-
-    #[test]
-    fn bands_at_work_at_the_same_time_are_not_neighbours() {
-        let rows: [(usize, usize, &[usize]); 4] =
-            [(8, 2, &[0, 4, 1, 5, 2, 6, 3, 7]), (7, 3, &[0, 3, 6, 1, 4, 2, 5]), (3, 5, &[0, 1, 2]), (0, 1, &[])];
-        for (bands, workers, want) in rows {
-            assert_eq!(Vec::from_iter(apart((0..bands).collect(), workers)), want, "{bands} bands, {workers} workers");
-        }
-    }
 
     #[test]
     fn threads_are_worth_more_the_more_there_is_to_do() {
@@ -307,13 +235,13 @@ mod tests {
             let mut geometry = SceneGeometry::default();
             for _ in 0..count {
                 let cover = Coverage::Rect(Rect { x0: 0, y0: 0, x1: side, y1: side });
-                geometry.file(cover, 0, Default::default(), u64::from(side.unsigned_abs().pow(2)));
+                geometry.push(cover, 0, Default::default(), u64::from(side.unsigned_abs().pow(2)));
             }
             let draws = from_ref(&canvas.draw);
-            RasterPass { draws, geometry: &geometry, cut: 64, level: Level::Baseline }.worth()
+            RasterPass { draws, geometry: &geometry, cut: 64 }.useful_threads()
         };
-        // Pixels of the canvas's shader are ordinary ones. Many of a few pixels cost as much as 16 of them besides.
-        let pays = usize::try_from(PAYS / ORDINARY).expect("it is small");
+        // A pixel of the test program has the ordinary cost. A small primitive costs 16 of them besides.
+        let pays = usize::try_from(WORTH_A_THREAD / ORDINARY).expect("it is small");
         for (side, each) in [(64, 4096), (16, 256), (2, 4 + 16)] {
             let first = pays.div_ceil(each);
             for (count, want) in [(0, 1), (first - 1, 1), (first, 2), (3 * first, 4)] {

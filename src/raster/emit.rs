@@ -1,9 +1,8 @@
-//! From row runs to batches of fragments. The emitter appends the pixels of shapes to a batch, as segments of one
-//! primitive each: long runs as row segments, short ones lane by lane behind each other. It hands the batch on when it is
-//! full or when a pixel would be in it twice: within a batch stages see all lanes at once, so what must happen in order
-//! may not share a batch. Where a batch is cut changes no bit of the result. Long runs go past the batch straight to the
-//! sink, so that nearly all batches of a large primitive are one row; so do the short runs of a triangle, all together, where
-//! a program wants them.
+//! From runs of covered pixels to batches of fragments. The emitter appends pixels to a batch in segments of one primitive:
+//! a long run as a row segment, short ones lane by lane. It hands the batch to the sink when the batch is full, or when a
+//! pixel would be in it twice: stages work on all lanes at once, so two fragments whose order matters may not share a
+//! batch. Where a batch is cut changes no bit. Runs that the program can draw as spans bypass the batch: long ones one by
+//! one, the short ones of a triangle together.
 
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::framebuffer::Band;
@@ -13,10 +12,10 @@ use crate::simd::{BITS, LANES, Level, count, stage};
 pub trait FragmentSink {
     /// Works on a batch: segments and `tex.n` are set, `coverage` where asked for.
     fn run(&mut self, batch: &mut FragmentBatch);
-    /// Works on a run of a row, from its start on as far as that pays, with a batch to use for it. Returns how many pixels
-    /// it has done.
+    /// Draws a run of a row from its start on, as far as that pays, with `batch` as scratch. Returns how many pixels it has
+    /// drawn.
     fn row(&mut self, batch: &mut FragmentBatch, run: Segment) -> u32;
-    /// Works on rows of one primitive, which are the segments of the batch; false if it has not.
+    /// Draws rows of one primitive, which are the segments of the batch; false if it has drawn none.
     fn rows(&mut self, _batch: &mut FragmentBatch) -> bool {
         false
     }
@@ -25,11 +24,11 @@ pub trait FragmentSink {
 /// Runs from this length on become row segments.
 const ROW: usize = 16;
 
-/// Pixels to a side of the block that dense lanes have a place in.
+/// Pixels to a side of the block that scattered lanes are relative to.
 const BLOCK: i32 = 16;
 
-/// Where dense lanes are, in the form in which they are appended: a place, which many lanes share, and the pixel of a 16 by
-/// 16 block there. What is written beyond the lanes in use is overwritten by the next ones.
+/// Where scattered lanes are, in the form in which they are appended: a block of 16 by 16 pixels, which many lanes share, and
+/// the pixel in the block. What is written beyond the lanes in use is overwritten by the next ones.
 #[derive(Debug)]
 #[repr(C, align(64))]
 struct PendingLanes {
@@ -39,16 +38,16 @@ struct PendingLanes {
     y: [i32; LANES + 8],
     /// 16 row + column.
     pixel: [u8; LANES + BLOCK as usize],
-    /// Of one row up.
+    /// What one row up adds to an offset.
     step: u32,
 }
 
-/// Writes offsets and positions of all dense lanes of a batch.
-type SpreadFn = unsafe fn(&PendingLanes, &mut FragmentBatch);
+/// Writes offsets and positions of all scattered lanes of a batch.
+type ExpandFn = unsafe fn(&PendingLanes, &mut FragmentBatch);
 
 stage! {
-    /// The lanes of a batch where they are to be found.
-    fn SPREAD: SpreadFn = (p: &PendingLanes, b: &mut FragmentBatch) {
+    /// Offsets and positions of lanes from their blocks and pixels.
+    fn EXPAND: ExpandFn = (p: &PendingLanes, b: &mut FragmentBatch) {
         for i in 0..LANES {
             let pixel = u32::from(p.pixel[i]);
             let (column, row) = (pixel & 15, pixel >> 4);
@@ -59,24 +58,24 @@ stage! {
     }
 }
 
-/// The fragments to come, and where they go in the band.
+/// Collects fragments in batches for a sink.
 #[derive(Debug)]
 pub struct Emitter {
     batch: Box<FragmentBatch>,
-    /// For the sink to work on long runs.
+    /// Scratch of the sink for long runs.
     row: Box<FragmentBatch>,
-    /// For rows of one primitive.
+    /// Collected rows of one triangle.
     rows: Box<FragmentBatch>,
-    /// Runs from this length on go to the sink at once.
+    /// Runs from this length on go to the sink at once, as spans.
     row_from: i32,
-    /// Shorter ones than this are collected, those of one triangle at a time.
+    /// Runs of a triangle that are shorter than this are collected.
     rows_below: i32,
-    /// Which pixels the batch may hold already: bit x mod 64 of word y mod 64.
-    seen: [u64; 64],
+    /// Which pixels the batch may hold: bit x mod 64 of word y mod 64.
+    held: [u64; 64],
     pending: Box<PendingLanes>,
-    /// Whether lanes are pending.
-    dense: bool,
-    spread: SpreadFn,
+    /// Whether the batch has scattered lanes, which must be expanded.
+    scattered: bool,
+    expand: ExpandFn,
     cut: usize,
     /// Offset of pixel (0, 0), and of one row up, in wrapping arithmetic.
     base: u32,
@@ -87,12 +86,12 @@ pub struct Emitter {
     pub ordered: bool,
     prim: u32,
     origin: [i32; 2],
-    /// Whether the primitive's planes are in a group: then its pixels come lane by lane.
-    grouped: bool,
+    /// Whether the primitive's planes are those of a triangle batch: such pixels are always scattered lanes.
+    batched: bool,
 }
 
 impl Emitter {
-    /// An emitter with an empty batch, which works at a level or the highest that the processor has.
+    /// An emitter with an empty batch, for an instruction set or the highest one that the processor has.
     #[must_use]
     pub fn new(level: Level) -> Self {
         const N: usize = LANES + 8;
@@ -100,14 +99,14 @@ impl Emitter {
         let pending = PendingLanes { offset: [0; N], x: [0; N], y: [0; N], pixel, step: 0 };
         Self {
             pending: Box::new(pending),
-            dense: false,
-            spread: SPREAD.levels[level.at_most_available() as usize],
+            scattered: false,
+            expand: EXPAND.levels[level.at_most_available() as usize],
             batch: Box::default(),
             row: Box::default(),
             row_from: i32::MAX,
             rows: Box::default(),
             rows_below: 0,
-            seen: [0; 64],
+            held: [0; 64],
             cut: LANES,
             base: 0,
             step: 0,
@@ -115,52 +114,52 @@ impl Emitter {
             ordered: true,
             prim: 0,
             origin: [0; 2],
-            grouped: false,
+            batched: false,
         }
     }
 
-    /// Goes to a band, and says after how many fragments batches are cut.
+    /// Begins a band. Batches are cut after `cut` fragments.
     pub fn begin(&mut self, band: &Band<'_>, cut: usize) {
         self.cut = cut.clamp(1, LANES);
         self.base = band.offset(0, 0);
         self.step = band.offset(0, 1).wrapping_sub(self.base);
     }
 
-    /// Says from which length on runs go to the sink at once; never where batches are cut early, nor with coverage,
-    /// which only batches have.
+    /// Says from which length on runs go to the sink at once. None do where batches are cut early, nor where fragments
+    /// carry coverage, which only batches have.
     pub fn row_from(&mut self, len: u32) {
         let never = self.smooth || self.cut < LANES;
         self.row_from = if never { i32::MAX } else { i32::try_from(len).unwrap_or(i32::MAX).max(1) };
     }
 
-    /// Says up to which length, exclusive, runs of one triangle are collected, under the same conditions.
+    /// Says below which length the runs of a triangle are collected, under the same conditions.
     pub fn rows_below(&mut self, len: u32) {
         let never = self.smooth || self.cut < LANES;
         self.rows_below = if never { 0 } else { i32::try_from(len).unwrap_or(0) };
     }
 
-    /// Says whose pixels come next.
+    /// Says whose pixels come next, and where its planes have their origin.
     #[inline]
-    pub fn primitive(&mut self, prim: u32, origin: [i32; 2], grouped: bool) {
-        (self.prim, self.origin, self.grouped) = (prim, origin, grouped);
+    pub fn primitive(&mut self, prim: u32, origin: [i32; 2], batched: bool) {
+        (self.prim, self.origin, self.batched) = (prim, origin, batched);
     }
 
-    /// Hands on what there is.
+    /// Hands the batch to the sink.
     pub fn finish(&mut self, sink: &mut impl FragmentSink) {
         if self.batch.tex.n > 0 {
-            if self.dense {
+            if self.scattered {
                 self.pending.step = self.step;
-                self.dense = false;
+                self.scattered = false;
                 #[expect(unsafe_code, reason = "the level was checked when the emitter was made")]
                 // SAFETY: an emitter is made for no level that the processor does not have.
                 unsafe {
-                    (self.spread)(&self.pending, &mut self.batch);
+                    (self.expand)(&self.pending, &mut self.batch);
                 }
             }
             sink.run(&mut self.batch);
             self.batch.tex.n = 0;
             self.batch.segment_count = 0;
-            self.seen = [0; 64];
+            self.held = [0; 64];
         }
     }
 
@@ -168,10 +167,10 @@ impl Emitter {
     #[inline]
     pub fn run(&mut self, x: i32, y: i32, len: i32, coverage: f32, sink: &mut impl FragmentSink) {
         let (mut x, mut len) = (x, len);
-        if len >= self.row_from && !self.grouped {
-            // Pixels of the batch that the run covers come first, whether the order of a batch matters or not.
+        if len >= self.row_from && !self.batched {
+            // If the batch holds one of its pixels, the batch comes first, even where the program does not ask for order.
             let bits = (u64::MAX >> (64 - len.min(64))).rotate_left(x as u32 & 63);
-            if self.seen[y as usize & 63] & bits != 0 {
+            if self.held[y as usize & 63] & bits != 0 {
                 self.finish(sink);
             }
             let offset = self.offset(x, y);
@@ -184,13 +183,13 @@ impl Emitter {
             let room = (self.cut - self.batch.tex.n.min(self.cut)) as i32;
             let take = len.min(room);
             let bits = (u64::MAX >> (64 - take.max(1))).rotate_left(x as u32 & 63);
-            let seen = &mut self.seen[y as usize & 63];
-            if take == 0 || (self.ordered && *seen & bits != 0) {
+            let held = &mut self.held[y as usize & 63];
+            if take == 0 || (self.ordered && *held & bits != 0) {
                 self.finish(sink);
                 continue;
             }
-            *seen |= bits;
-            if take as usize >= ROW && !self.grouped {
+            *held |= bits;
+            if take as usize >= ROW && !self.batched {
                 self.append_row(x, y, take as u32);
             } else {
                 self.append_lanes(x, y, take as usize);
@@ -206,17 +205,17 @@ impl Emitter {
         }
     }
 
-    /// Appends a run of a triangle, of which more may come before [`collected`](Self::collected).
+    /// Collects a run of a triangle, until [`collected`](Self::collected) says that it was the last.
     #[inline]
     pub fn collect(&mut self, x: i32, y: i32, len: i32, sink: &mut impl FragmentSink) {
-        if len >= self.rows_below || self.grouped {
+        if len >= self.rows_below || self.batched {
             return self.run(x, y, len, 1.0, sink);
         }
         if self.rows.segment_count == LANES {
             self.collected(sink);
         }
         let bits = (u64::MAX >> (64 - len.clamp(1, 64))).rotate_left(x as u32 & 63);
-        if self.seen[y as usize & 63] & bits != 0 {
+        if self.held[y as usize & 63] & bits != 0 {
             self.finish(sink);
         }
         let offset = self.offset(x, y);
@@ -226,7 +225,7 @@ impl Emitter {
         }
     }
 
-    /// The triangle's runs have come.
+    /// Hands on the collected runs of a triangle.
     #[inline]
     pub fn collected(&mut self, sink: &mut impl FragmentSink) {
         if self.rows.segment_count > 0 && !sink.rows(&mut self.rows) {
@@ -241,9 +240,9 @@ impl Emitter {
     /// Appends the pixels of a mask of 8 by 8.
     #[inline]
     pub fn mask(&mut self, x: i32, y: i32, bits: u64, sink: &mut impl FragmentSink) {
-        if self.sees(x, y, bits) && self.ordered {
+        if self.mark_held(x, y, bits) && self.ordered {
             self.finish(sink);
-            self.sees(x, y, bits);
+            self.mark_held(x, y, bits);
         }
         if self.batch.tex.n + count(bits) <= self.cut {
             self.append_mask(x, y, bits);
@@ -253,24 +252,24 @@ impl Emitter {
         while rest != 0 {
             if self.batch.tex.n >= self.cut {
                 self.finish(sink);
-                self.sees(x, y, rest);
+                self.mark_held(x, y, rest);
             }
             rest = self.append_pixels(x, y, rest);
         }
     }
 
-    /// Notes the pixels of a mask as seen, and says whether one was so already.
+    /// Marks the pixels of a mask as held, and says whether one of them was held already.
     #[inline]
-    fn sees(&mut self, x: i32, y: i32, bits: u64) -> bool {
+    fn mark_held(&mut self, x: i32, y: i32, bits: u64) -> bool {
         let turn = x as u32 & 63;
         let (mut rest, mut row, mut twice) = (bits, y as usize, 0);
-        // Four rows at a time, whether they have pixels or not: how many do is not to be foreseen.
+        // Four rows at a time, whether they have pixels or not: a branch for each row could not be predicted.
         while rest != 0 {
             for _ in 0..4 {
                 let pixels = (rest & 0xFF).rotate_left(turn);
-                let seen = &mut self.seen[row & 63];
-                twice |= *seen & pixels;
-                *seen |= pixels;
+                let held = &mut self.held[row & 63];
+                twice |= *held & pixels;
+                *held |= pixels;
                 rest >>= 8;
                 row += 1;
             }
@@ -282,13 +281,13 @@ impl Emitter {
     #[inline]
     fn append_mask(&mut self, x: i32, y: i32, bits: u64) {
         let offset = self.offset(x, y);
-        let place = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
+        let block = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
         let start = self.batch.tex.n;
         let (mut n, mut rest, mut row) = (start, bits, 0);
         while rest != 0 {
             for _ in 0..4 {
                 let pixels = rest as u8 as usize;
-                // What is written beyond the row's pixels is overwritten by those of the next.
+                // What is written beyond the pixels of the row is overwritten by the next row.
                 if let Some(to) = self.pending.pixel.get_mut(n..).and_then(|p| p.first_chunk_mut()) {
                     *to = (u64::from_le_bytes(BITS.columns[pixels]) + row).to_le_bytes();
                 }
@@ -300,7 +299,7 @@ impl Emitter {
         if self.smooth {
             self.batch.coverage.iter_mut().take(n).skip(start).for_each(|coverage| *coverage = 1.0);
         }
-        self.put_place(start, n, place, offset);
+        self.put_block(start, n, block, offset);
     }
 
     /// Appends pixels of a mask until the batch is full; returns the rest.
@@ -321,19 +320,19 @@ impl Emitter {
         if self.smooth {
             b.coverage.iter_mut().take(n).skip(start).for_each(|coverage| *coverage = 1.0);
         }
-        self.put_place(start, n, [x, y], offset);
+        self.put_block(start, n, [x, y], offset);
         rest
     }
 
-    /// Says where the new lanes from `start` to `n` are: at a place, relative to the primitive's origin.
+    /// Gives the new lanes from `start` to `n` their block: its first pixel relative to the primitive's origin, its offset.
     #[inline]
-    fn put_place(&mut self, start: usize, n: usize, [x, y]: [i32; 2], offset: u32) {
+    fn put_block(&mut self, start: usize, n: usize, [x, y]: [i32; 2], offset: u32) {
         if start >= n {
             return;
         }
         let (b, p) = (&mut *self.batch, &mut *self.pending);
         b.tex.n = n;
-        // Eight lanes at a time, so that the few of most triangles need no loop.
+        // Eight lanes at a time: most triangles have no more.
         let mut at = start;
         while at < n {
             let (Some(offsets), Some(xs), Some(ys)) = (
@@ -346,7 +345,7 @@ impl Emitter {
             (*offsets, *xs, *ys) = ([offset; 8], [x; 8], [y; 8]);
             at += 8;
         }
-        self.dense = true;
+        self.scattered = true;
         if let Some(segment) = b.segments.get_mut(b.segment_count) {
             let (start, len) = (start as u32, (n - start) as u32);
             *segment = Segment { prim: self.prim, start, len, x, y, offset, row: false };
@@ -354,10 +353,10 @@ impl Emitter {
         }
     }
 
-    /// Appends runs (column, row, length) of a block of 16 by 16 pixels, counted from the pixel (x, y), without coverage.
+    /// Appends runs (column, row, length) of the 16 by 16 pixels from (x, y) on, without coverage.
     #[inline]
     pub fn block(&mut self, [x, y]: [i32; 2], runs: impl Iterator<Item = [i32; 3]>, sink: &mut impl FragmentSink) {
-        let place = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
+        let block = [x.wrapping_sub(self.origin[0]), y.wrapping_sub(self.origin[1])];
         let offset = self.offset(x, y);
         let (mut start, mut n) = (self.batch.tex.n, self.batch.tex.n);
         for [column, row, len] in runs {
@@ -365,14 +364,14 @@ impl Emitter {
             while len > 0 {
                 let take = len.min((self.cut - n.min(self.cut)) as i32);
                 let bits = (u64::MAX >> (64 - take.max(1))).rotate_left((x + column) as u32 & 63);
-                let seen = &mut self.seen[(y + row) as usize & 63];
-                if take == 0 || (self.ordered && *seen & bits != 0) {
-                    self.put_place(start, n, place, offset);
+                let held = &mut self.held[(y + row) as usize & 63];
+                if take == 0 || (self.ordered && *held & bits != 0) {
+                    self.put_block(start, n, block, offset);
                     self.finish(sink);
                     (start, n) = (0, 0);
                     continue;
                 }
-                *seen |= bits;
+                *held |= bits;
                 let first = (16 * row + column) as u8;
                 if let Some(pixels) = self.pending.pixel.get_mut(n..).and_then(|p| p.first_chunk_mut::<16>()) {
                     for (pixel, column) in pixels.iter_mut().zip(0..) {
@@ -384,10 +383,10 @@ impl Emitter {
                 len -= take;
             }
         }
-        self.put_place(start, n, place, offset);
+        self.put_block(start, n, block, offset);
     }
 
-    /// Appends the pixels of a row where a stipple has a bit: bit 31 belongs to the columns that 32 divides.
+    /// Appends the pixels of a row where a stipple has a bit. Bit 31 holds for the columns that are multiples of 32.
     pub fn stippled(&mut self, x: i32, y: i32, len: i32, row: u32, coverage: f32, sink: &mut impl FragmentSink) {
         let mut at = x;
         let end = x + len;
@@ -440,7 +439,7 @@ impl Emitter {
             (*ys, *pixels) = ([dy; 8], [0, 1, 2, 3, 4, 5, 6, 7]);
             at += 8;
         }
-        self.dense = true;
+        self.scattered = true;
         b.tex.n = n + take;
         if let Some(last) = b.segment_count.checked_sub(1).and_then(|i| b.segments.get_mut(i))
             && last.prim == self.prim

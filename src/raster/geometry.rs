@@ -1,5 +1,5 @@
-//! What a scene keeps of its primitives, in issue order: each one's shape, its planes, and in side lists what the larger
-//! shapes need. A small triangle is 64 covered-or-not bits in place; everything larger is an index into its list.
+//! What a scene keeps of its primitives, in issue order: coverage and planes of each. A small triangle's coverage is 64 bits;
+//! that of everything larger is an index into a list of its kind.
 
 use super::coverage::disc::Disc;
 use super::coverage::edges::Edges;
@@ -20,7 +20,7 @@ pub enum Coverage {
         x: i32,
         /// Lowest row.
         y: i32,
-        /// Covered pixels; clipped and stippled.
+        /// Covered pixels, clipped and stippled.
         bits: u64,
     },
     /// A triangle by its edges: an index of [`SceneGeometry::edges`].
@@ -28,8 +28,8 @@ pub enum Coverage {
     /// A triangle of at most 16 by 16 pixels by its rows: an index of [`SceneGeometry::blocks`].
     Rows(u32),
     /// An aliased line: an index of [`SceneGeometry::lines`].
-    AliasedLine(u32),
-    /// Pixels of a rectangle, all of them (an aliased point).
+    Line(u32),
+    /// All pixels of a rectangle (an aliased point).
     Rect(Rect),
     /// A smooth point: an index of [`SceneGeometry::discs`].
     Disc(u32),
@@ -37,7 +37,7 @@ pub enum Coverage {
     Outline(u32),
 }
 
-/// A primitive: its shape and the draw that it belongs to. Its [`Planes`] have the same index.
+/// A primitive: its coverage and the draw that it belongs to. Its [`Planes`] have the same index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prim {
     /// Which pixels.
@@ -55,11 +55,11 @@ pub struct SceneGeometry {
     pub planes: Vec<Planes>,
     /// The planes of their slots.
     pub pool: PlaneBuffer,
-    /// Small triangles that are not yet among the primitives.
-    pub(super) group: Box<TriangleBatch>,
-    /// Triangles that are not small.
+    /// Triangles that wait to be set up together.
+    pub(super) batch: Box<TriangleBatch>,
+    /// Triangles that are larger than 16 by 16 pixels, or that were set up alone.
     pub edges: Vec<Edges>,
-    /// Triangles between those two.
+    /// Triangles of at most 16 by 16 pixels.
     pub blocks: Vec<RowCoverage>,
     /// Aliased lines.
     pub lines: Vec<AliasedLine>,
@@ -71,7 +71,7 @@ pub struct SceneGeometry {
     pub pixels: u64,
 }
 
-/// An index as it is kept; there are never 2^32 of anything, since a scene is flushed long before.
+/// An index as it is kept. There are never 2^32 of anything: a scene is flushed long before.
 pub(super) fn index(len: usize) -> u32 {
     u32::try_from(len).unwrap_or(u32::MAX)
 }
@@ -80,7 +80,7 @@ impl SceneGeometry {
     /// Whether nothing has been drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.prims.is_empty() && self.group.count == 0
+        self.prims.is_empty() && self.batch.count == 0
     }
 
     /// Forgets all primitives, keeping the memory.
@@ -112,9 +112,9 @@ impl SceneGeometry {
             + bytes(&self.outlines)
     }
 
-    /// Files a primitive whose planes have been made.
+    /// Appends a primitive.
     #[inline]
-    pub(super) fn file(&mut self, cover: Coverage, draw: u32, planes: Planes, pixels: u64) {
+    pub(super) fn push(&mut self, cover: Coverage, draw: u32, planes: Planes, pixels: u64) {
         self.prims.push(Prim { cover, draw });
         self.planes.push(planes);
         self.pixels += pixels;
@@ -129,7 +129,7 @@ impl SceneGeometry {
             Coverage::Mask { bits, .. } => bits.count_ones().into(),
             Coverage::Edges(i) => self.edges.get(i as usize).map_or(0, |edges| area(&edges.rect) / 2),
             Coverage::Rows(_) => 128,
-            Coverage::AliasedLine(i) => self.lines.get(i as usize).map_or(0, |line| sides(&line.rect).iter().sum()),
+            Coverage::Line(i) => self.lines.get(i as usize).map_or(0, |line| sides(&line.rect).iter().sum()),
             Coverage::Rect(rect) => area(&rect),
             Coverage::Disc(i) => self.discs.get(i as usize).map_or(0, |disc| area(&disc.rect)),
             Coverage::Outline(i) => self.outlines.get(i as usize).map_or(0, |outline| area(&outline.rect)),
@@ -148,7 +148,7 @@ impl SceneGeometry {
             }
             Coverage::Edges(i) => self.edges.get(i as usize).map_or(0..0, |e| of(&e.rect)),
             Coverage::Rows(i) => self.blocks.get(i as usize).map_or(0..0, RowCoverage::range),
-            Coverage::AliasedLine(i) => self.lines.get(i as usize).map_or(0..0, |l| of(&l.rect)),
+            Coverage::Line(i) => self.lines.get(i as usize).map_or(0..0, |l| of(&l.rect)),
             Coverage::Rect(rect) => of(&rect),
             Coverage::Disc(i) => self.discs.get(i as usize).map_or(0..0, |d| of(&d.rect)),
             Coverage::Outline(i) => self.outlines.get(i as usize).map_or(0..0, |o| of(&o.rect)),

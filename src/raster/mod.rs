@@ -1,6 +1,6 @@
-//! Rasterisation (OpenGL 1.5, sections 3.3 to 3.5): from processed vertices to runs of fragments. Setup turns a primitive
-//! into a shape (which pixels) and planes (which values there); a [`scene::Scene`] keeps both until it is flushed; the
-//! walk over a band of rows appends row runs to batches of 64 fragments, which the draw's fragment program works on.
+//! Rasterisation (OpenGL 1.5, sections 3.3 to 3.5): from processed vertices to fragments. Setup turns a primitive into
+//! coverage (which pixels) and planes (which values there), and a [`Scene`] keeps both until it is flushed. Then a
+//! rasteriser emits the pixels of each band of rows in batches of 64 fragments, which the draw's fragment program works on.
 
 mod binning;
 mod coverage;
@@ -9,6 +9,7 @@ mod emit;
 mod geometry;
 mod program_trait;
 mod raster_thread;
+mod rasteriser;
 mod scene;
 mod scheduler;
 mod setup;

@@ -1,4 +1,4 @@
-//! What the walk needs to know of a fragment program, so that tests can put something simpler in its place.
+//! What rasterisation needs to know of a fragment program, as a trait, so that tests can use a simpler one.
 
 use crate::fragment::batch::{FragmentBatch, Segment as Run};
 use crate::fragment::planes::{Layout, PlanePool, Planes};
@@ -13,11 +13,11 @@ pub trait FragmentProgram: Send + Sync {
     fn ordered(&self) -> bool;
     /// Whether it reads the coverage of each fragment.
     fn coverage(&self) -> bool;
-    /// Whether nothing can come of drawing: then nothing is set up.
+    /// Whether it can change nothing: then no primitive is set up.
     fn draws_nothing(&self) -> bool;
     /// Works on a batch.
     fn run(&self, batch: &mut FragmentBatch, planes: &[Planes], pool: PlanePool<'_>, band: &mut Band<'_>);
-    /// About what a pixel of a large primitive costs, in pixels of one colour.
+    /// About what a pixel of a large primitive costs, in the unit of [`ORDINARY`].
     fn weight(&self, _planes: &Planes, _pool: PlanePool<'_>) -> u64 {
         ORDINARY
     }
@@ -27,12 +27,12 @@ pub trait FragmentProgram: Send + Sync {
     fn rows_below(&self) -> u32 {
         0
     }
-    /// Works on rows of one primitive, which are the segments of the batch; false if it has not.
+    /// Draws rows of one primitive, which are the segments of the batch; false if it has drawn none.
     fn rows(&self, _batch: &mut FragmentBatch, _planes: &[Planes], _pool: PlanePool<'_>, _band: &mut Band<'_>) -> bool {
         false
     }
-    /// Works on a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels
-    /// it has done.
+    /// Draws a run of a row, which is not in the batch, from its start on as far as that pays. Returns how many pixels it
+    /// has drawn.
     fn row(
         &self,
         batch: &mut FragmentBatch,

@@ -1,20 +1,15 @@
-//! A thread that walks while the scene is still taking primitives. A long Begin/End is one thread's work as far as its
-//! vertices and the setup of its primitives go, since GL calls come one after the other; what is set up can be walked
-//! meanwhile. The scene hands over its primitives job by job, each in a geometry of its own, and with the first the
-//! framebuffer itself, which comes back when the thread is waited for. Loads are walked in the order in which they come,
-//! so a pixel sees the same fragments in the same order as without the thread, and the result is the same to the last bit.
-//! Since walking small triangles takes less time than setting them up, a job may have primitives that the thread sets up
-//! first.
+//! A thread that rasterises while the scene still takes primitives. The vertices of a long Begin/End, and the setup of its
+//! primitives, are one thread's work, since GL calls come one after the other; what is set up can be rasterised meanwhile.
+//! The scene sends jobs, each with a geometry of its own, and lends the framebuffer until the thread is waited for. Jobs are
+//! done in order, so a pixel sees the same fragments in the same order as without the thread. Rasterising small triangles
+//! takes less time than setting them up, so a job may carry primitives that the thread sets up itself.
 
-use super::binning::{self, RasterPass};
 use super::draw::{Draw, PrimitiveBuilder};
-use super::emit::Emitter;
 use super::geometry::SceneGeometry;
 use super::program_trait::FragmentProgram;
+use super::rasteriser::Rasteriser;
 use super::setup::planes::SetupPlan;
-use super::worker_pool::WorkerPool;
 use crate::framebuffer::Framebuffer;
-use crate::simd::Level;
 use std::any::Any;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -23,14 +18,14 @@ use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 
-/// Sets primitives up: something that a thread can be told to do.
+/// Sets up primitives: work that can be given to another thread.
 pub type SetupFn<P> = Box<dyn FnOnce(&mut PrimitiveBuilder<'_, P>) + Send>;
 
-/// Primitives that are to be walked, and the draws that they belong to.
+/// Primitives to be rasterised, and the draws that they belong to.
 pub(super) struct RasterJob<P> {
     pub draws: Vec<Arc<Draw<P>>>,
     pub geometry: SceneGeometry,
-    /// Primitives of the last draw that come after those.
+    /// Primitives of the last draw that come after those, not yet set up.
     pub more: Option<(SetupFn<P>, SetupPlan)>,
 }
 
@@ -52,125 +47,106 @@ impl<P> RasterJob<P> {
     }
 }
 
-/// How jobs are walked.
-#[derive(Debug)]
-pub(super) struct RasterOptions {
-    /// Fragments after which a batch is cut.
-    pub cut: usize,
-    /// What emitters work at.
-    pub level: Level,
-    /// Who walks, and how many of them.
-    pub workers: Arc<WorkerPool>,
-    pub threads: usize,
-}
-
-/// What the thread has while it works.
+/// What the thread has while it works, and gives back when it is waited for.
 #[derive(Debug)]
 pub(super) struct FramebufferLease {
     pub framebuffer: Framebuffer,
-    pub emitters: Vec<Emitter>,
-    pub bins: Vec<Vec<u32>>,
+    pub rasteriser: Rasteriser,
+    /// With how many threads the rasteriser works.
+    pub threads: usize,
     /// How many fragments have passed.
     pub samples: u64,
-    /// The panic that has ended its work.
+    /// The panic that has ended the work.
     pub panic: Option<Box<dyn Any + Send>>,
 }
 
 impl FramebufferLease {
-    /// Walks a job, unless one before it has come to a bad end.
-    fn walk<P: FragmentProgram>(&mut self, job: &mut RasterJob<P>, options: &RasterOptions) {
+    /// Does a job, unless one before it has panicked.
+    fn run<P: FragmentProgram>(&mut self, job: &mut RasterJob<P>) {
         if self.panic.is_some() {
             return;
         }
-        let Self { framebuffer, emitters, bins, .. } = self;
-        let walk = || {
+        let Self { framebuffer, rasteriser, threads, .. } = self;
+        let work = || {
             job.set_up();
-            let flush =
-                RasterPass { draws: &job.draws, geometry: &job.geometry, cut: options.cut, level: options.level };
-            binning::flush(&flush, framebuffer, (&options.workers, options.threads), bins, emitters)
+            rasteriser.flush(&job.draws, &job.geometry, framebuffer, *threads)
         };
-        match catch_unwind(AssertUnwindSafe(walk)) {
+        match catch_unwind(AssertUnwindSafe(work)) {
             Ok(samples) => self.samples += samples,
             Err(panic) => self.panic = Some(panic),
         }
     }
 }
 
-/// Geometries that have been walked, for the next jobs.
+/// Free list of geometries, for the next jobs.
 pub(super) type GeometryPool = Arc<Mutex<Vec<SceneGeometry>>>;
 
-/// Loads that the thread may have: one that it walks, one that waits, and one that somebody was told it would take.
-const MOST: usize = 3;
+/// Most jobs in the queue: one at work, one that waits, and one that the scene was told there is room for.
+const MOST_JOBS: usize = 3;
 
-/// The thread, from the side of the scene.
+/// The thread, as the scene sees it.
 #[derive(Debug)]
 pub(super) struct RasterThread<P> {
     jobs: Option<SyncSender<Box<RasterJob<P>>>>,
     free: GeometryPool,
-    /// How many jobs the thread has.
-    has: Arc<AtomicUsize>,
+    /// How many jobs have been sent and not been done.
+    pending: Arc<AtomicUsize>,
     thread: Option<JoinHandle<Option<Box<FramebufferLease>>>>,
 }
 
 impl<P: FragmentProgram + 'static> RasterThread<P> {
-    /// Starts the thread. Gives the lease back where there can be no more threads.
-    pub fn start(
-        lease: Box<FramebufferLease>,
-        free: &GeometryPool,
-        options: RasterOptions,
-    ) -> Result<Self, Box<FramebufferLease>> {
-        let (jobs, coming) = sync_channel::<Box<RasterJob<P>>>(MOST);
+    /// Starts the thread. Gives the lease back where the system has no more threads.
+    pub fn start(lease: Box<FramebufferLease>, free: &GeometryPool) -> Result<Self, Box<FramebufferLease>> {
+        let (jobs, receiver) = sync_channel::<Box<RasterJob<P>>>(MOST_JOBS);
         let (first, leases) = sync_channel::<Box<FramebufferLease>>(1);
-        let (free, back) = (Arc::clone(free), Arc::clone(free));
-        let has = Arc::new(AtomicUsize::new(0));
-        let left = Arc::clone(&has);
-        let work = move || Some(work(leases.recv().ok()?, &coming, &back, &left, &options));
+        let pending = Arc::new(AtomicUsize::new(0));
+        let (done, back) = (Arc::clone(&pending), Arc::clone(free));
+        let work = move || Some(run_jobs(leases.recv().ok()?, &receiver, &back, &done));
         let thread = std::thread::Builder::new().name("fixedgl raster".into()).spawn(work);
         let Ok(thread) = thread else { return Err(lease) };
-        let raster_thread = Self { jobs: Some(jobs), free, has, thread: Some(thread) };
-        // The thread waits for its lease: it is not the closure's own, which is lost where no thread starts.
+        let raster_thread = Self { jobs: Some(jobs), free: Arc::clone(free), pending, thread: Some(thread) };
+        // The lease is sent: what the closure owns is lost where no thread starts.
         first.send(lease).map_err(|unsent| unsent.0)?;
         Ok(raster_thread)
     }
 }
 
-/// What the thread does.
-fn work<P: FragmentProgram>(
+/// What the thread does: jobs in order, until there will be no more.
+fn run_jobs<P: FragmentProgram>(
     mut lease: Box<FramebufferLease>,
     jobs: &Receiver<Box<RasterJob<P>>>,
     free: &GeometryPool,
-    left: &AtomicUsize,
-    options: &RasterOptions,
+    pending: &AtomicUsize,
 ) -> Box<FramebufferLease> {
     for mut job in jobs {
-        lease.walk(&mut job, options);
+        lease.run(&mut job);
         job.geometry.clear();
         free.lock().unwrap_or_else(PoisonError::into_inner).push(job.geometry);
-        left.fetch_sub(1, Ordering::Relaxed);
+        pending.fetch_sub(1, Ordering::Relaxed);
     }
     lease
 }
 
 impl<P> RasterThread<P> {
-    /// How many jobs the thread has that it has not walked.
-    pub fn has(&self) -> usize {
-        self.has.load(Ordering::Relaxed)
+    /// Whether another job should be sent now: there is none in the queue besides the one at work.
+    pub fn wants_job(&self) -> bool {
+        self.pending.load(Ordering::Relaxed) < 2
     }
 
-    /// Hands a job over and gives an empty geometry for the next one. Where the thread has enough the job is given back.
-    pub fn hand_over(&self, job: Box<RasterJob<P>>) -> Result<SceneGeometry, Box<RasterJob<P>>> {
+    /// Sends a job and returns an empty geometry for the next one; the job where the queue is full.
+    pub fn send(&self, job: Box<RasterJob<P>>) -> Result<SceneGeometry, Box<RasterJob<P>>> {
         let Some(jobs) = &self.jobs else { return Err(job) };
-        self.has.fetch_add(1, Ordering::Relaxed);
+        self.pending.fetch_add(1, Ordering::Relaxed);
         match jobs.try_send(job) {
             Ok(()) => Ok(self.free.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()),
             Err(TrySendError::Full(job) | TrySendError::Disconnected(job)) => {
-                self.has.fetch_sub(1, Ordering::Relaxed);
+                self.pending.fetch_sub(1, Ordering::Relaxed);
                 Err(job)
             }
         }
     }
 
-    /// Waits until all is walked. The lease is lost only where the thread has been, for a reason that is given.
+    /// Waits until all jobs are done. The lease is lost only with the thread itself, whose panic is returned.
     pub fn wait(mut self) -> Result<Box<FramebufferLease>, Box<dyn Any + Send>> {
         self.jobs = None;
         let lease = self.thread.take().map_or(Ok(None), JoinHandle::join)?;
@@ -182,7 +158,7 @@ impl<P> Drop for RasterThread<P> {
     fn drop(&mut self) {
         self.jobs = None;
         if let Some(thread) = self.thread.take() {
-            // Who drops a raster thread does not want its pixels, but its memory must not be drawn into any more.
+            // Nobody wants the pixels any more, but the thread must not outlive the scene.
             drop(thread.join());
         }
     }
@@ -196,7 +172,7 @@ mod tests {
     use std::panic::{AssertUnwindSafe, catch_unwind};
 
     /// Small triangles all over a canvas; after each of them something may be done.
-    fn strew(canvas: &mut TestCanvas, count: usize, mut after: impl FnMut(&mut TestCanvas, usize)) {
+    fn scatter(canvas: &mut TestCanvas, count: usize, mut after: impl FnMut(&mut TestCanvas, usize)) {
         let mut random = Random(11);
         for i in 0..count {
             let [x, y] = [0; 2].map(|_| random.between(0.0, 60.0));
@@ -210,19 +186,19 @@ mod tests {
     }
 
     fn hand_over(canvas: &mut TestCanvas) {
-        canvas.scene.hand_over(&mut canvas.framebuffer, canvas.threads);
+        canvas.scene.start_rasterising(&mut canvas.framebuffer, canvas.threads);
     }
 
     #[test]
-    fn what_is_handed_over_is_drawn_once_and_the_framebuffer_comes_back() {
+    fn what_is_sent_is_drawn_once_and_the_framebuffer_comes_back() {
         let mut alone = canvas(1);
-        strew(&mut alone, 20_000, |canvas, _| hand_over(canvas));
+        scatter(&mut alone, 20_000, |canvas, _| hand_over(canvas));
         assert!(!alone.scene.is_rasterising(), "there is no other thread");
         let want = alone.hits();
         for threads in [2, 3, 8] {
             let mut shared = canvas(threads);
             let mut away = 0;
-            strew(&mut shared, 20_000, |canvas, i| {
+            scatter(&mut shared, 20_000, |canvas, i| {
                 if i % 64 == 0 {
                     hand_over(canvas);
                 }
@@ -236,11 +212,11 @@ mod tests {
     }
 
     #[test]
-    fn what_the_walker_sets_up_comes_in_its_turn() {
+    fn what_the_raster_thread_sets_up_comes_in_its_turn() {
         let drawn = |threads: usize| {
             let mut canvas = canvas(threads);
             let (mut given, mut taken) = (0, 0);
-            strew(&mut canvas, 20_000, |canvas, i| {
+            scatter(&mut canvas, 20_000, |canvas, i| {
                 hand_over(canvas);
                 if i % 500 == 499 {
                     given += 1;
@@ -264,19 +240,19 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_may_be_dropped_while_it_is_walked() {
+    fn a_scene_may_be_dropped_while_it_is_rasterised() {
         let mut canvas = canvas(2);
-        strew(&mut canvas, 8000, |canvas, _| hand_over(canvas));
+        scatter(&mut canvas, 8000, |canvas, _| hand_over(canvas));
         assert!(canvas.scene.is_rasterising());
     }
 
     #[test]
-    fn a_panic_of_the_walker_comes_to_who_waits_and_the_framebuffer_with_it() {
+    fn a_panic_of_the_raster_thread_reaches_who_waits_and_the_framebuffer_with_it() {
         let mut canvas = canvas(2);
-        strew(&mut canvas, 8000, |canvas, i| {
+        scatter(&mut canvas, 8000, |canvas, i| {
             if i == 10 {
                 let seen = &canvas.draw.program.seen;
-                // From here on the shader panics.
+                // From here on the program panics.
                 let poison = || {
                     let _seen = seen.lock();
                     panic!("meant");

@@ -1,36 +1,34 @@
 //! The scene: draws that have been issued and not yet rasterised, their primitives set up in issue order. Nothing touches
-//! the framebuffer until the scene is flushed (`glFlush`, `glFinish`, reading pixels, or when its memory is full), so the
-//! work of many small draws can be shared out to bands of rows and their workers.
+//! the framebuffer until the scene is flushed (`glFlush`, `glFinish`, reading pixels, or when its memory is full), so that
+//! the work of many small draws can be shared among threads, by bands of rows.
 
-use super::binning::{self, RasterPass};
 use super::draw::{Draw, PrimitiveBuilder};
-use super::emit::Emitter;
 use super::geometry::SceneGeometry;
 use super::program_trait::FragmentProgram;
-use super::raster_thread::{FramebufferLease, GeometryPool, RasterJob, RasterOptions, RasterThread, SetupFn};
-use super::scheduler::{BinnedGeometry, SplitDraw, SplitDrawRun};
+use super::raster_thread::{FramebufferLease, GeometryPool, RasterJob, RasterThread, SetupFn};
+use super::rasteriser::Rasteriser;
+use super::scheduler::SplitDraw;
 use super::setup::planes::SetupPlan;
 use super::sink::PrimitiveSink;
 use super::triangle_batch::corners::CornerLanes;
 use super::vertex::VertexRef;
-use super::worker_pool::WorkerPool;
 use crate::framebuffer::Framebuffer;
-use crate::simd::{LANES, Level};
+use crate::simd::Level;
 use crate::state::raster::PolygonMode;
 use std::mem::take;
 use std::panic::resume_unwind;
-use std::sync::{Arc, RwLock};
+use std::sync::Arc;
 
-/// Bytes after which a scene wants to be flushed where one thread works on it: about what the second-level cache holds.
-const SMALL: usize = 256 << 10;
-/// The same where the work is shared out: enough for all workers to be busy for some milliseconds, which is long against the
-/// start of a thread, and still within the last cache.
-const LARGE: usize = 4 << 20;
-/// Bytes of small primitives that are worth handing over to a raster thread: some two thousand triangles, whose walk is long
-/// against waking a thread. With 256 KiB the whole frame takes 9 % longer, with 1 MiB as long.
+/// Bytes from which on a scene asks to be flushed, with one thread: about what the second-level cache holds.
+const FULL_ALONE: usize = 256 << 10;
+/// The same with more threads: work for some milliseconds, which is long against the start of a thread, and still within
+/// the last-level cache.
+const FULL_SHARED: usize = 4 << 20;
+/// Bytes of small primitives that make a job for the raster thread: some two thousand triangles, which take long against
+/// waking a thread. With 256 KiB the whole frame takes 9 % longer, with 1 MiB the same time.
 const JOB_BYTES: usize = 512 << 10;
-/// Pixels of a primitive, on average, up to which a scene is walked in jobs; with more, all threads share the walk.
-const FEW: u64 = 16;
+/// Average pixels of a primitive up to which a scene is rasterised in jobs; with more, all threads share a flush.
+const SMALL_PIXELS: u64 = 16;
 
 /// Draws and primitives that wait for a flush.
 #[derive(Debug)]
@@ -38,14 +36,12 @@ pub struct Scene<P> {
     draws: Vec<Arc<Draw<P>>>,
     geometry: SceneGeometry,
     plan: SetupPlan,
+    /// Counter of the line stipple.
     stipple: u32,
-    cut: usize,
-    bound: usize,
-    bins: Vec<Vec<u32>>,
-    workers: Arc<WorkerPool>,
-    emitters: Vec<Emitter>,
-    binned: Vec<RwLock<BinnedGeometry>>,
-    /// The thread that has the framebuffer, if one has it.
+    /// Bytes from which on the scene asks to be flushed.
+    most_bytes: usize,
+    rasteriser: Rasteriser,
+    /// The thread that has the framebuffer and the rasteriser, if one has them.
     raster_thread: Option<RasterThread<P>>,
     free: GeometryPool,
     wants_setup_work: bool,
@@ -53,20 +49,17 @@ pub struct Scene<P> {
 }
 
 impl<P: FragmentProgram> Scene<P> {
-    /// An empty scene for a number of threads. Batches are cut after `cut` fragments; any number gives the same result.
+    /// An empty scene for a number of threads and an instruction set. Batches are cut after `cut` fragments; any number
+    /// gives the same result.
     #[must_use]
-    pub fn new(threads: usize, cut: usize) -> Self {
+    pub fn new(threads: usize, cut: usize, level: Level) -> Self {
         Self {
             draws: Vec::new(),
             geometry: SceneGeometry::default(),
-            plan: SetupPlan::new(Level::detect()),
+            plan: SetupPlan::new(level),
             stipple: 0,
-            cut: cut.clamp(1, LANES),
-            bound: if threads > 1 { LARGE } else { SMALL },
-            bins: Vec::new(),
-            workers: Arc::new(WorkerPool::new(threads)),
-            emitters: Vec::new(),
-            binned: Vec::new(),
+            most_bytes: if threads > 1 { FULL_SHARED } else { FULL_ALONE },
+            rasteriser: Rasteriser::new(threads, cut, level),
             raster_thread: None,
             free: GeometryPool::default(),
             wants_setup_work: false,
@@ -74,17 +67,10 @@ impl<P: FragmentProgram> Scene<P> {
         }
     }
 
-    /// The same scene, whose planes are made at a level.
-    #[must_use]
-    pub fn at_level(mut self, level: Level) -> Self {
-        self.plan = SetupPlan::new(level);
-        self
-    }
-
     /// From here on, until the next draw, each triangle is set up alone.
     #[cfg(test)]
-    pub(super) fn group_nothing(&mut self) {
-        self.plan.group_nothing();
+    pub(super) fn batch_nothing(&mut self) {
+        self.plan.batch_nothing();
     }
 
     /// Says what the primitives to come are drawn with. Returns the index of the draw.
@@ -112,10 +98,10 @@ impl<P: FragmentProgram> Scene<P> {
     /// every few hundred primitives at most.
     #[must_use]
     pub fn is_full(&self) -> bool {
-        self.memory() > self.bound || self.draws.len() > 4096
+        self.memory() > self.most_bytes || self.draws.len() > 4096
     }
 
-    /// Where the primitives of the current draw go, unless nothing can come of them.
+    /// Takes the primitives of the current draw, unless that draws nothing.
     #[must_use]
     pub fn builder(&mut self) -> Option<PrimitiveBuilder<'_, P>> {
         let draw = self.draws.last().filter(|draw| !draw.program.draws_nothing())?;
@@ -123,7 +109,7 @@ impl<P: FragmentProgram> Scene<P> {
         Some(PrimitiveBuilder::new(draw, index, &self.plan, &mut self.geometry, &mut self.stipple))
     }
 
-    /// Files the small triangles that wait.
+    /// Sets up the triangles that wait in the batch.
     pub(super) fn flush_batch(&mut self) {
         if let Some(mut builder) = self.builder() {
             builder.flush_batch();
@@ -145,8 +131,8 @@ impl<P: FragmentProgram> Scene<P> {
         samples
     }
 
-    /// Whether pieces of the current draw may be set up apart from each other: filled triangles have nothing in common,
-    /// but the stipple of lines goes on from one to the next.
+    /// Whether parts of the current draw may be set up apart from each other. Filled triangles have nothing in common, but
+    /// a line stipple goes on from one line to the next.
     #[must_use]
     pub fn can_be_split(&self) -> bool {
         self.draws
@@ -154,20 +140,19 @@ impl<P: FragmentProgram> Scene<P> {
             .is_some_and(|draw| draw.raster.mode == [PolygonMode::Fill; 2] && !draw.program.draws_nothing())
     }
 
-    /// Draws pieces of the current draw, after all that waits, with as many threads as there are of `scratch`. Returns how
-    /// many fragments passed.
+    /// Draws the parts of the current draw, after all that waits, with as many threads as there are of `scratch`. Returns
+    /// how many fragments passed.
     pub fn draw_split<W: SplitDraw<P>>(
         &mut self,
         framebuffer: &mut Framebuffer,
-        pieces: &W,
+        split: &W,
         scratch: &mut [W::Scratch],
     ) -> u64 {
         let before = self.make_room(framebuffer, scratch.len());
-        let workers = scratch.len().min(pieces.count());
+        let workers = scratch.len().min(split.count());
         let scratch = scratch.get_mut(..workers).unwrap_or_default();
         let Some(draw) = self.draws.last() else { return before };
-        let round = SplitDrawRun { draw, plan: &self.plan, workers: &self.workers, cut: self.cut };
-        before + round.run(pieces, scratch, framebuffer, &mut self.binned, &mut self.emitters)
+        before + self.rasteriser.draw_split((draw, &self.plan), split, scratch, framebuffer)
     }
 
     /// Whether another thread has the framebuffer.
@@ -176,12 +161,13 @@ impl<P: FragmentProgram> Scene<P> {
         self.raster_thread.is_some()
     }
 
-    /// Waits for what was [handed over](Self::hand_over): the framebuffer is back. Returns how many fragments passed.
+    /// Waits for the [raster thread](Self::start_rasterising) and takes the framebuffer back. Returns how many fragments
+    /// passed.
     pub fn wait(&mut self, framebuffer: &mut Framebuffer) -> u64 {
         let Some(raster_thread) = self.raster_thread.take() else { return 0 };
         let lease = raster_thread.wait().unwrap_or_else(|panic| resume_unwind(panic));
         *framebuffer = lease.framebuffer;
-        (self.emitters, self.bins) = (lease.emitters, lease.bins);
+        self.rasteriser = lease.rasteriser;
         if let Some(panic) = lease.panic {
             resume_unwind(panic);
         }
@@ -194,9 +180,7 @@ impl<P: FragmentProgram> Scene<P> {
         if self.geometry.is_empty() {
             return before;
         }
-        let flush =
-            RasterPass { draws: &self.draws, geometry: &self.geometry, cut: self.cut, level: self.plan.level() };
-        let samples = binning::flush(&flush, framebuffer, (&self.workers, threads), &mut self.bins, &mut self.emitters);
+        let samples = self.rasteriser.flush(&self.draws, &self.geometry, framebuffer, threads);
         self.geometry.clear();
         before + samples
     }
@@ -238,13 +222,13 @@ impl<P: FragmentProgram> PrimitiveSink for Scene<P> {
 }
 
 impl<P: FragmentProgram + 'static> Scene<P> {
-    /// Hands the primitives that wait over to a thread that walks them while others are drawn, if they are many and small
-    /// and the thread has little to do. From then on the framebuffer is away, until somebody [waits](Self::wait).
-    pub fn hand_over(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
+    /// Gives the primitives that wait to the raster thread, if they are many and small and the thread has little to do.
+    /// From then on the thread has the framebuffer, until somebody [waits](Self::wait).
+    pub fn start_rasterising(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
         if threads < 2 || self.memory() < JOB_BYTES {
             return;
         }
-        if self.geometry.pixels > FEW * self.geometry.prims.len() as u64 {
+        if self.geometry.pixels > SMALL_PIXELS * self.geometry.prims.len() as u64 {
             self.has_large_primitives = self.raster_thread.is_none();
             return;
         }
@@ -253,28 +237,27 @@ impl<P: FragmentProgram + 'static> Scene<P> {
         if is_first {
             self.start_raster_thread(framebuffer, threads - 1);
         }
-        let has_little =
-            |scene: &Self| scene.raster_thread.as_ref().is_some_and(|raster_thread| raster_thread.has() < 2);
-        if has_little(self) {
+        let wants_job = |scene: &Self| scene.raster_thread.as_ref().is_some_and(RasterThread::wants_job);
+        if wants_job(self) {
             drop(self.send_job(None));
-            // A primitive that has come so far may end before more is collected.
-            self.wants_setup_work = !is_first && has_little(self);
+            // Not at the first job: the Begin/End may end before enough vertices are collected for a setup job.
+            self.wants_setup_work = !is_first && wants_job(self);
         }
     }
 
-    /// Whether the primitives of this draw, of which there are many, are so large that threads had better share their walk.
+    /// Whether the primitives of this draw are many and so large that threads had better share a flush.
     #[must_use]
     pub fn has_large_primitives(&self) -> bool {
         self.has_large_primitives
     }
 
-    /// Whether the thread would take primitives to set up, besides what it has: it has walked faster than others set up.
+    /// Whether the raster thread would set up primitives, too: it rasterises faster than this thread sets up.
     #[must_use]
     pub fn wants_setup_work(&self) -> bool {
         self.wants_setup_work && self.raster_thread.is_some()
     }
 
-    /// Draws primitives of the current draw: the thread that walks sets them up, if there is one, or else this one.
+    /// Draws primitives of the current draw. The raster thread sets them up if it can, otherwise this one.
     pub fn set_up(&mut self, more: SetupFn<P>) {
         self.flush_batch();
         self.wants_setup_work = false;
@@ -283,12 +266,12 @@ impl<P: FragmentProgram + 'static> Scene<P> {
         }
     }
 
-    /// Hands over what waits, and primitives that are to be set up, which are given back where that cannot be.
+    /// Sends what waits, and primitives that are to be set up. Those are returned where the thread takes no job.
     fn send_job(&mut self, more: Option<SetupFn<P>>) -> Option<SetupFn<P>> {
         let Some(raster_thread) = &self.raster_thread else { return more };
         let more = more.map(|more| (more, self.plan.clone()));
         let job = RasterJob { draws: self.draws.clone(), geometry: take(&mut self.geometry), more };
-        match raster_thread.hand_over(Box::new(job)) {
+        match raster_thread.send(Box::new(job)) {
             Ok(empty) => {
                 self.geometry = empty;
                 let passed = self.draws.len().saturating_sub(1);
@@ -303,15 +286,13 @@ impl<P: FragmentProgram + 'static> Scene<P> {
     }
 
     fn start_raster_thread(&mut self, framebuffer: &mut Framebuffer, threads: usize) {
-        let (emitters, bins) = (take(&mut self.emitters), take(&mut self.bins));
-        let lease = FramebufferLease { framebuffer: framebuffer.take(), emitters, bins, samples: 0, panic: None };
-        let workers = Arc::clone(&self.workers);
-        let options = RasterOptions { cut: self.cut, level: self.plan.level(), workers, threads };
-        match RasterThread::start(Box::new(lease), &self.free, options) {
+        let (framebuffer_lent, rasteriser) = (framebuffer.take(), self.rasteriser.take());
+        let lease = FramebufferLease { framebuffer: framebuffer_lent, rasteriser, threads, samples: 0, panic: None };
+        match RasterThread::start(Box::new(lease), &self.free) {
             Ok(raster_thread) => self.raster_thread = Some(raster_thread),
             Err(lease) => {
                 *framebuffer = lease.framebuffer;
-                (self.emitters, self.bins) = (lease.emitters, lease.bins);
+                self.rasteriser = lease.rasteriser;
             }
         }
     }

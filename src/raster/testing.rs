@@ -7,6 +7,7 @@ use super::{Draw, FragmentProgram, PrimitiveSink, RasterState, Scene};
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::planes::{Layout, Plane, PlanePool, Planes};
 use crate::framebuffer::{Band, Framebuffer, FramebufferFormat};
+use crate::simd::Level;
 use crate::state::State;
 use std::sync::{Arc, Mutex};
 
@@ -147,7 +148,7 @@ impl TestCanvas {
         let raster = RasterState::build(&state, side, side, 24);
         let note = layout.count > 0;
         let draw = Arc::new(Draw { program: Arc::new(Counter { layout, note, ..Counter::default() }), raster });
-        let mut scene = Scene::new(threads, cut);
+        let mut scene = Scene::new(threads, cut, Level::detect());
         scene.begin_draw(draw.clone());
         let framebuffer = Framebuffer::new(side, side, FramebufferFormat::default()).unwrap();
         Self { scene, framebuffer, draw, threads }

@@ -1,7 +1,8 @@
 //! A vertex as the vertex stages hand it to clipping and setup (OpenGL 1.5, section 2.11 end): clip coordinates, the
-//! window position where it has one, an outcode, and the slots of the [`Layout`](crate::fragment::planes::Layout).
+//! window position where it has one, an outcode, and the varyings, one slot each of the
+//! [`Layout`](crate::fragment::planes::Layout).
 
-/// Position part of a processed vertex. w stands beside the window position: both are copied at once.
+/// Position part of a processed vertex. w lies beside the window position, so that both are copied at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Vertex {
@@ -29,8 +30,8 @@ pub struct VertexRef<'a> {
     pub slots: &'a [f32],
 }
 
-/// Where a vertex is, as far as that decides over primitives, in one word: the outcode in the low 16 bits, then window x and
-/// y in 1/256 pixel with 24 bits each, which is enough for positions within the guard band; others mean nothing.
+/// What culling needs of a vertex, in one word: the outcode in the low 16 bits, then window x and y in 1/256 pixel with 24
+/// bits each. That is enough for positions within the guard band; those of other vertices mean nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ScreenPosition(pub u64);
 

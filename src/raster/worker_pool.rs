@@ -1,6 +1,6 @@
-//! Threads that share a piece of work with the one that calls, and are done when the call returns. With the feature `pool`
-//! they wait for the next call, as long as their scene lives: to wake one takes 5 to 20 us, to start one and to wait for
-//! its end 40 to 60. Without it, or where the pool cannot be had, they are started for each call.
+//! Threads that share work with the calling thread and are done when the call returns. With the feature `pool` they wait
+//! for the next call as long as their scene lives: waking one takes 5 to 20 us, starting and joining one 40 to 60. Without
+//! the feature, or where the system has no more threads, they are started for each call.
 
 #[cfg(feature = "pool")]
 use std::sync::{
@@ -8,27 +8,27 @@ use std::sync::{
     atomic::{AtomicUsize, Ordering},
 };
 
-/// Work, in pixels of one colour, from which on more than one thread pays: about 60 us on the machine that was measured,
-/// and 120 where threads are started for it.
-pub(super) const PAYS: u64 = if cfg!(feature = "pool") { 1 << 20 } else { 1 << 21 };
+/// Work that another thread is worth, in pixels of one colour: about 60 us on the machine that was measured, and 120
+/// where threads are started for it.
+pub(super) const WORTH_A_THREAD: u64 = if cfg!(feature = "pool") { 1 << 20 } else { 1 << 21 };
 
-/// How often a thread that has done its part looks whether the others have, before it falls asleep.
+/// How often a thread that has nothing left to do asks whether the others have ended, before it sleeps.
 #[cfg(feature = "pool")]
-const AWAKE: u32 = 1000;
+const SPINS: u32 = 1000;
 
-/// Threads that help the one that calls.
+/// Threads that help the calling thread.
 #[derive(Debug)]
 pub(super) struct WorkerPool {
     /// How many threads there are, the calling one included.
     #[cfg(feature = "pool")]
     threads: usize,
-    /// Those that wait, once there was something to share. None inside where the system has no more threads.
+    /// The waiting threads, from the first call on. None inside where the system has no more threads.
     #[cfg(feature = "pool")]
     pool: OnceLock<Option<rayon_core::ThreadPool>>,
 }
 
 impl WorkerPool {
-    /// A workers of a number of threads, the calling one included. None of them is started yet.
+    /// A pool of a number of threads, the calling one included. None of them is started yet.
     #[cfg_attr(
         not(feature = "pool"),
         expect(unused_variables, reason = "as many threads are started as there is work for")
@@ -59,7 +59,7 @@ impl WorkerPool {
                     });
                 }
                 work(first);
-                stay_awake(|| ended.load(Ordering::Acquire) == begun);
+                spin_until(|| ended.load(Ordering::Acquire) == begun);
             });
         }
         std::thread::scope(|scope| {
@@ -80,10 +80,10 @@ impl WorkerPool {
     }
 }
 
-/// Waits for something that is about to happen, for some 20 to 40 us: a thread that falls asleep takes as long to wake.
+/// Waits 20 to 40 us for something that is about to happen: waking a sleeping thread takes as long.
 #[cfg(feature = "pool")]
-fn stay_awake(until: impl Fn() -> bool) {
-    for _ in 0..AWAKE {
+fn spin_until(until: impl Fn() -> bool) {
+    for _ in 0..SPINS {
         if until() {
             break;
         }
@@ -97,12 +97,12 @@ mod tests {
     use std::sync::Mutex;
 
     #[test]
-    fn each_own_is_worked_with_once_whatever_the_number_of_threads() {
+    fn each_item_is_worked_on_once_whatever_the_number_of_threads() {
         for threads in [1, 2, 5] {
-            let workers = WorkerPool::new(threads);
+            let pool = WorkerPool::new(threads);
             for count in [0, 1, 2, 5, 40] {
                 let done = Mutex::new(Vec::new());
-                workers.share(0..count, |item| done.lock().expect("nobody panics").push(item));
+                pool.share(0..count, |item| done.lock().expect("nobody panics").push(item));
                 let mut done = done.into_inner().expect("nobody panics");
                 done.sort_unstable();
                 assert_eq!(done, Vec::from_iter(0..count), "{threads} threads");
@@ -111,11 +111,11 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_of_a_helper_reaches_the_caller_and_the_crew_goes_on() {
-        let workers = WorkerPool::new(3);
+    fn a_panic_of_a_helper_reaches_the_caller_and_the_pool_goes_on() {
+        let pool = WorkerPool::new(3);
         let work = |item: u32| assert_ne!(item, 2, "the third one");
-        let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| workers.share(0..3, work)));
+        let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| pool.share(0..3, work)));
         assert!(caught.is_err(), "the panic is lost");
-        workers.share(3..9, work);
+        pool.share(3..9, work);
     }
 }

@@ -16,8 +16,8 @@ pub struct Disc {
 }
 
 impl Disc {
-    /// How much of a pixel the disc covers: the mean, over 16 lines through the pixel, of the part of the line that is in
-    /// the disc. Off by 2^-9 at most.
+    /// How much of a pixel the disc covers: the mean, over 16 horizontal lines through the pixel, of the part of the line
+    /// that is in the disc. The error is at most 2^-9.
     #[must_use]
     pub fn coverage(&self, x: i32, y: i32) -> f32 {
         let left = f64::from(x - self.origin[0]) - self.center[0];
@@ -29,11 +29,11 @@ impl Disc {
         if length([left, low].map(far)) <= square {
             return 1.0;
         }
-        // More than rounding can be wrong by.
+        // The margin is more than the rounding error.
         if length([left, low].map(near)) > square * (1.0 + 1e-9) {
             return 0.0;
         }
-        // Line after line, all the same way: two and more are computed at once.
+        // No branches, so that vector instructions compute several lines at once.
         let mut parts = [0.0; 16];
         for (line, part) in (0i32..).zip(&mut parts) {
             let dy = low + (f64::from(line) + 0.5) * (1.0 / 16.0);

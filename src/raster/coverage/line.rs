@@ -13,7 +13,7 @@ use crate::raster::emit::{Emitter, FragmentSink};
 use crate::raster::state::{RasterState, Rect};
 use std::ops::Range;
 
-/// An aliased line, ready to be walked.
+/// An aliased line, ready to be rasterised.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AliasedLine {
     /// Pixels that may be touched.
@@ -31,14 +31,14 @@ pub struct AliasedLine {
     modulus: i64,
     /// Fragments across.
     width: i32,
-    /// Minor coordinates that the middle of the line must be in.
+    /// Range of minor coordinates in which the middle of the line must be.
     view: (i32, i32),
     /// Stipple counter at step `from`, and its change a step.
     count: u32,
     direction: i32,
 }
 
-/// Whether p lies in the diamond of the pixel, p moved a little left, and less down, where it lies on the border.
+/// Whether p lies in the diamond of the pixel. On the border p counts as moved a little to the left, and less down.
 fn in_diamond(p: [i32; 2], pixel: [i32; 2]) -> bool {
     let [x, y] = [0, 1].map(|k: usize| i64::from(p[k]) - (i64::from(pixel[k]) * 256 + 128));
     let distance = x.abs() + y.abs();
@@ -46,8 +46,8 @@ fn in_diamond(p: [i32; 2], pixel: [i32; 2]) -> bool {
 }
 
 impl AliasedLine {
-    /// The steps of a line between snapped positions, `None` where it has no fragment. The second value is the number of
-    /// fragments along it, clipped ones too, by which the stipple counter goes on.
+    /// The line between two snapped positions, `None` where it has no fragment. The second value is the number of fragments
+    /// along it, with the clipped ones: the stipple counter goes on by it.
     pub(crate) fn new(a: [i32; 2], b: [i32; 2], width: i32, counter: u32, rs: &RasterState) -> (Option<Self>, u32) {
         let d = [b[0] - a[0], b[1] - a[1]];
         let x_major = d[0].abs() >= d[1].abs();
@@ -65,7 +65,7 @@ impl AliasedLine {
         let forward = d[major] > 0;
         let direction = if forward { 1 } else { -1 };
         let rise = i64::from(d[minor]) * i64::from(direction);
-        // A line exactly between two pixels: which one the tiny displacement chooses.
+        // Where the line runs exactly between two pixels, the tiny displacement chooses one.
         let down = !x_major || rise <= 0;
         let numerator = |step: i32| {
             let middle = i64::from(step) * 256 + 128 - i64::from(a[major]);
@@ -129,13 +129,19 @@ impl AliasedLine {
         (Some(line), advance)
     }
 
-    /// Hands on the fragments in `rows`.
-    pub fn walk(&self, rows: Range<i32>, stipple: Option<(u16, u32)>, to: &mut Emitter, sink: &mut impl FragmentSink) {
+    /// Emits the fragments in `rows`.
+    pub fn rasterise(
+        &self,
+        rows: Range<i32>,
+        stipple: Option<(u16, u32)>,
+        to: &mut Emitter,
+        sink: &mut impl FragmentSink,
+    ) {
         let rect = self.rect;
         let (y0, y1) = (rows.start.max(rect.y0), rows.end.min(rect.y1));
         let (mut minor, mut remainder, mut count) = (self.minor, self.remainder, self.count);
         let middle = (self.width - 1) / 2;
-        // Neighbouring fragments of one row, not handed on yet: x, y, length.
+        // Neighbouring fragments of one row that are not emitted yet: x, y, length.
         let mut run = (0, 0, 0);
         for step in self.from..self.to {
             let across = minor as i32;

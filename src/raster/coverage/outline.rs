@@ -1,7 +1,6 @@
 //! Coverage of smooth lines and polygons (OpenGL 1.5, sections 3.4.2 and 3.5.6): the exact area of the part of a pixel
-//! that lies in a convex outline. A smooth line is a rectangle around the segment; stippling cuts it into shorter ones.
-//! A row of pixels is cut out of the outline once; in it, a pixel has what lies between its two sides under the upper
-//! edges less what lies there under the lower ones.
+//! that lies in a convex outline. The outline is clipped to a row of pixels once; then a pixel's area is what lies between
+//! its left and right side under the upper edges, less what lies there under the lower ones.
 //!
 //! ```text
 //!        _______________________________   y + 1/2
@@ -50,7 +49,7 @@ impl Outline {
         Self { rect, origin, corner, count }
     }
 
-    /// What lies in a row of pixels.
+    /// The part in a row of pixels.
     #[must_use]
     pub fn row(&self, y: i32) -> OutlineRow {
         let y = f64::from(y - self.origin[1]);
@@ -68,7 +67,7 @@ impl Outline {
         for i in 0..count {
             let (p, q) = (polygon[i], polygon[next(i, count)]);
             (least, most) = (least.min(p[0]), most.max(p[0]));
-            // Under an upright edge there is nothing.
+            // There is no area under a vertical edge.
             if p[0] != q[0] {
                 let slope = (q[1] - p[1]) / (q[0] - p[0]);
                 row.edges[row.count] = SlopedEdge { x: [p[0], q[0]], y: p[1], slope };
@@ -84,7 +83,7 @@ impl Outline {
     }
 }
 
-/// Corners that the part of an outline in a row has at most: each of the two sides of a row makes one more of four.
+/// Most corners of the part in a row: each of the row's two sides adds one to four.
 const CORNERS: usize = 6;
 
 /// The part of an outline that lies in a row of pixels.
@@ -98,7 +97,7 @@ pub struct OutlineRow {
     count: usize,
 }
 
-/// An edge that is not upright.
+/// An edge that is not vertical.
 #[derive(Clone, Copy, Debug, Default)]
 struct SlopedEdge {
     /// Where it begins and ends.
@@ -109,7 +108,7 @@ struct SlopedEdge {
 }
 
 impl OutlineRow {
-    /// How much of a pixel of the row is covered, in [0, 1]; exactly 0 where the outline does not reach it.
+    /// The covered area of a pixel of the row, in [0, 1]; exactly 0 where the outline does not reach it.
     #[must_use]
     pub fn coverage(&self, x: i32) -> f32 {
         let x = f64::from(x - self.origin);

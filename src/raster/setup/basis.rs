@@ -3,7 +3,8 @@
 
 use crate::fragment::planes::{Linear, Plane};
 
-/// How a position relative to the origin becomes weights of the corners.
+/// The weights of the corners as linear functions of a position relative to the origin: b1 and b2 are the weights of corners
+/// 1 and 2, and corner 0 has the rest. A line repeats its second corner with b2 = 0; a point has no slopes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Basis {
     /// Weights of corners 1 and 2.

@@ -8,7 +8,7 @@ use crate::raster::coverage::line::AliasedLine;
 use crate::raster::geometry::{Coverage, SceneGeometry, index};
 use crate::raster::vertex::VertexRef;
 
-/// A line on its way to being filed.
+/// A line to be set up.
 #[derive(Clone, Copy)]
 pub(crate) struct LineInput<'a> {
     pub v: [VertexRef<'a>; 2],
@@ -20,7 +20,7 @@ pub(crate) struct LineInput<'a> {
 }
 
 impl SceneGeometry {
-    /// Sets up a line and files it; the stipple counter goes on.
+    /// Sets up a line. The stipple counter goes on.
     pub(crate) fn line(&mut self, cx: &SetupContext, s: &LineInput, stipple: &mut u32) {
         let p = s.v.map(|v| v.head.snapped);
         if !within_limit(&p) {
@@ -35,12 +35,12 @@ impl SceneGeometry {
         *stipple = stipple.wrapping_add(advance);
         let Some(line) = line else { return };
         self.lines.push(line);
-        let cover = Coverage::AliasedLine(index(self.lines.len() - 1));
+        let cover = Coverage::Line(index(self.lines.len() - 1));
         let planes = self.line_planes(cx, s);
-        self.file(cover, cx.draw, planes, u64::from((line.to - line.from).unsigned_abs()) * width as u64);
+        self.push(cover, cx.draw, planes, u64::from((line.to - line.from).unsigned_abs()) * width as u64);
     }
 
-    /// The planes of a line, its slots in the pool.
+    /// The planes of a line; those of its slots go to the plane buffer.
     pub(crate) fn line_planes(&mut self, cx: &SetupContext, s: &LineInput) -> Planes {
         let [a, b] = s.v.map(|v| v.head);
         let (wa, wb) = (a.clip[3], b.clip[3]);

@@ -1,18 +1,17 @@
-//! The memory behind the planes of a scene (OpenGL 1.5, section 3.5.1): planes of primitives that stand alone, and groups
-//! of planes of small triangles. It is never shrunk and not cleared, so that planes are written once.
+//! The memory of a scene's planes (OpenGL 1.5, section 3.5.1): those of single primitives, and groups of 16 for the
+//! triangles of a batch. It is never shrunk and not cleared, so that planes are written once.
 
 use super::weights::FourPlanes;
 use crate::fragment::planes::{Plane, PlaneGroup, PlanePool};
 
-/// The planes of a scene's slots. The vector behind it is as long as it ever was, so that planes are written once, not
-/// made and then overwritten.
+/// The planes of a scene's slots.
 #[derive(Clone, Debug, Default)]
 pub struct PlaneBuffer {
     planes: Vec<Plane>,
     used: usize,
     groups: Vec<PlaneGroup>,
     used_groups: usize,
-    /// Where planes are computed before they are put in place.
+    /// Where planes are computed before they are stored.
     four: FourPlanes,
 }
 
@@ -29,17 +28,17 @@ impl PlaneBuffer {
         self.used * size_of::<Plane>() + self.used_groups * size_of::<PlaneGroup>()
     }
 
-    /// Lets go of all planes.
+    /// Forgets all planes.
     pub fn clear(&mut self) {
         (self.used, self.used_groups) = (0, 0);
     }
 
-    /// Lets go of the groups from an index on.
+    /// Forgets the groups from an index on.
     pub(crate) fn drop_groups(&mut self, first: u32) {
         self.used_groups = self.used_groups.min(first as usize);
     }
 
-    /// Takes groups of planes into use, of whatever contents. Returns the index of the first one with them.
+    /// Appends groups of planes with any contents. Returns the index of the first, and the groups.
     pub(crate) fn more_groups(&mut self, count: usize) -> (u32, &mut [PlaneGroup]) {
         let first = self.used_groups;
         self.used_groups += count;
@@ -55,12 +54,12 @@ impl PlaneBuffer {
         self.used
     }
 
-    /// Lets go of all but the first planes.
+    /// Forgets all but the first planes.
     pub fn truncate(&mut self, len: usize) {
         self.used = self.used.min(len);
     }
 
-    /// Takes some more into use, of whatever contents; with them goes the place to compute them in.
+    /// Appends planes with any contents. Returns them, and where they can be computed.
     #[inline]
     pub(crate) fn more(&mut self, count: usize) -> (&mut [Plane], &mut FourPlanes) {
         let first = self.used;

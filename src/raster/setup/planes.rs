@@ -1,8 +1,6 @@
 //! Planes of interpolated values (OpenGL 1.5, sections 3.4.1, 3.5.1 and 3.8.2), set up in f64 from the unsnapped
-//! positions. Every primitive becomes a [`Basis`]: three corners and the two linear functions b1, b2 that say how much of
-//! corner 1 and 2 a pixel has (corner 0 has the rest); a line repeats its second corner with b2 = 0, a point has no
-//! slopes at all. The formulas are those of [`crate::fragment::planes`]; all of them work on differences from corner 0,
-//! so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
+//! positions. Every primitive becomes a [`Basis`]. The formulas are those of [`crate::fragment::planes`]; all of them work on
+//! differences from corner 0, so equal values give slopes of exactly 0 and equal w a denominator of exactly 1.
 
 use super::basis::{Basis, CornerValues, constant};
 use super::plane_buffer::PlaneBuffer;
@@ -12,25 +10,29 @@ use crate::fragment::planes::{Layout, Plane, PlaneGroup, Planes, UnitSlots};
 use crate::raster::state::RasterState;
 use crate::raster::triangle_batch::TriangleBatch;
 use crate::raster::triangle_batch::corners::MOST_SLOTS;
-use crate::raster::triangle_batch::planes::{BatchState, GroupFn, SET_UP_GROUP, SlotRules, TURN_GROUP, TurnFn};
+use crate::raster::triangle_batch::planes::{
+    BatchState, SET_UP_BATCH, SetUpBatchFn, SlotRules, TRANSPOSE, TransposeFn,
+};
 use crate::simd::Level;
 use crate::state::raster::PolygonMode;
 
 /// The layout of a draw, prepared for setup.
 #[derive(Clone, Debug)]
 pub struct SetupPlan {
-    level: Level,
-    run: FourPlanesFn,
-    run_group: GroupFn,
-    turn_group: TurnFn,
+    four: FourPlanesFn,
+    set_up_batch: SetUpBatchFn,
+    transpose: TransposeFn,
     layout: Layout,
     flat: bool,
+    /// The texture units in use, with their numbers.
     units: Vec<(u32, UnitSlots)>,
+    /// The same for batches.
     rules: SlotRules,
-    grouped: bool,
+    /// Whether filled triangles are set up in batches.
+    batches: bool,
 }
 
-/// Puts constants in the place of planes that are not finite.
+/// Replaces planes that are not finite by constants.
 #[cold]
 fn replace_non_finite(planes: &mut [Plane], values: &[f32]) {
     for (plane, value) in planes.iter_mut().zip(values) {
@@ -40,37 +42,37 @@ fn replace_non_finite(planes: &mut [Plane], values: &[f32]) {
     }
 }
 
-/// Four slots from one on, where there are so many.
+/// Four slots from `at` on, where there are so many.
 #[inline(always)]
 fn four_of(slots: &[f32], at: usize) -> Option<&[f32; 4]> {
     slots.get(at..)?.first_chunk()
 }
 
 impl SetupPlan {
-    /// An empty plan, whose planes are made at a level or the highest that the processor has.
+    /// The plan of no draw, for an instruction set or the highest one that the processor has.
     #[must_use]
     pub fn new(level: Level) -> Self {
-        let level = level.at_most_available();
-        let (run, run_group) = (FOUR.levels[level as usize], SET_UP_GROUP.levels[level as usize]);
-        let turn_group = TURN_GROUP.levels[level as usize];
-        let (layout, rules) = (Layout::default(), SlotRules::default());
-        Self { level, run, run_group, turn_group, layout, flat: false, units: Vec::new(), rules, grouped: false }
+        let level = level.at_most_available() as usize;
+        Self {
+            four: FOUR.levels[level],
+            set_up_batch: SET_UP_BATCH.levels[level],
+            transpose: TRANSPOSE.levels[level],
+            layout: Layout::default(),
+            flat: false,
+            units: Vec::new(),
+            rules: SlotRules::default(),
+            batches: false,
+        }
     }
 
-    /// Takes over what a draw's layout and shade model ask for.
+    /// Takes a layout and a shade model. Each triangle is set up alone.
     pub fn set(&mut self, layout: &Layout, flat: bool) {
-        self.grouped = false;
+        self.batches = false;
         self.layout.clone_from(layout);
         self.flat = flat;
         self.units.clear();
         self.units.extend((0..).zip(&layout.units).filter_map(|(u, slots)| slots.map(|slots| (u, slots))));
         self.rules.set(layout);
-    }
-
-    /// The level that planes are made at.
-    #[must_use]
-    pub const fn level(&self) -> Level {
-        self.level
     }
 
     /// Which values are interpolated.
@@ -79,58 +81,58 @@ impl SetupPlan {
         &self.layout
     }
 
-    /// Takes over a draw. Small triangles can be set up in groups where all are filled and no unit has a q.
+    /// Takes a draw. Triangles are set up in batches where all polygons are filled and no unit has a q.
     pub fn set_draw(&mut self, layout: &Layout, rs: &RasterState) {
         self.set(layout, rs.flat);
         let filled = (0..2).all(|face| rs.cull[face] || rs.mode[face] == PolygonMode::Fill) && !rs.smooth[2];
-        self.grouped = filled && layout.count <= MOST_SLOTS && !self.units.iter().any(|(_, unit)| unit.has_q);
+        self.batches = filled && layout.count <= MOST_SLOTS && !self.units.iter().any(|(_, unit)| unit.has_q);
     }
 
-    /// Whether small triangles can be set up in groups.
+    /// Whether filled triangles are set up in batches.
     #[must_use]
-    pub const fn is_grouped(&self) -> bool {
-        self.grouped
+    pub const fn is_batched(&self) -> bool {
+        self.batches
     }
 
     /// From here on, until the next draw, each triangle is set up alone.
     #[cfg(test)]
-    pub fn group_nothing(&mut self) {
-        self.grouped = false;
+    pub fn batch_nothing(&mut self) {
+        self.batches = false;
     }
 
-    /// Turns the corners of a group into lanes.
-    pub(crate) fn turn(&self, group: &mut TriangleBatch) {
+    /// Transposes the corners of a batch.
+    pub(crate) fn transpose(&self, batch: &mut TriangleBatch) {
         #[expect(unsafe_code, reason = "the level was checked when the plan was made")]
         // SAFETY: a plan is made for no level that the processor does not have.
         unsafe {
-            (self.turn_group)(group, self.layout.count);
+            (self.transpose)(batch, self.layout.count);
         }
     }
 
-    /// Sets up a group, whose planes go to a place a slot.
+    /// Sets up a batch; `out` gets a group of planes for each slot.
     #[inline]
-    pub(crate) fn group(&self, group: &mut TriangleBatch, view: &BatchState, out: &mut [PlaneGroup]) {
+    pub(crate) fn set_up_batch(&self, batch: &mut TriangleBatch, view: &BatchState, out: &mut [PlaneGroup]) {
         #[expect(unsafe_code, reason = "the level was checked when the plan was made")]
         // SAFETY: a plan is made for no level that the processor does not have.
         unsafe {
-            (self.run_group)(group, &self.rules, view, out);
+            (self.set_up_batch)(batch, &self.rules, view, out);
         }
     }
 
-    /// Colours that are not simply those of the corners, for flat shading and back faces: slot, slot of the value to be
-    /// taken instead, how many of each.
+    /// Colours that are not those of the corners, because of flat shading or a back face: first slot, first slot of the
+    /// values to be taken instead, how many.
     #[inline]
     pub(crate) fn color_slots(&self, back: bool) -> impl Iterator<Item = (usize, usize, usize)> {
         let back = if back { self.layout.back } else { None };
         let primary = self.layout.color.map(|slot| (slot, back.unwrap_or(slot), 4));
-        // The back side's primary colour has its place even where only the secondary colour is wanted.
+        // The back colours have slots for the primary one even where only the secondary one is wanted.
         let secondary = self.layout.secondary.map(|slot| (slot, back.map_or(slot, |b| b + 4), 3));
         let any = self.flat || back.is_some();
         [primary, secondary].into_iter().flatten().filter(move |_| any)
     }
 
-    /// Appends the planes of a primitive's slots to the pool and says the rest in `planes` (whose origin and z are the
-    /// caller's). Slots that a vertex lacks become 0.
+    /// Appends the planes of a primitive's slots to the buffer, and fills in all of `planes` but origin and z. Slots that a
+    /// vertex lacks become 0.
     #[inline]
     pub fn planes(&self, basis: &Basis, values: &CornerValues, planes: &mut Planes, pool: &mut PlaneBuffer) {
         let weights = Weights::new(basis, values.w);
@@ -138,7 +140,7 @@ impl SetupPlan {
         planes.first = pool.len() as u32;
         (planes.d, planes.affine, planes.wide) = (weights.d, weights.affine, 0);
         let (out, four) = pool.more(count);
-        self.span(&weights, values.corner, 0, four, out);
+        self.slots(&weights, values.corner, 0, four, out);
         self.colors(&weights, values, four, out);
         let d = weights.d;
         if weights.bound(d.at, d.x, d.y) > 2048.0 * weights.far && denominator_error(basis, &d, weights.r) > 2048.0 {
@@ -152,9 +154,9 @@ impl SetupPlan {
         }
     }
 
-    /// The planes of the slots from one on; slots that a vertex lacks are 0.
+    /// The planes of the slots from `from` on. Slots that a vertex lacks become 0.
     #[inline]
-    fn span(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, four: &mut FourPlanes, out: &mut [Plane]) {
+    fn slots(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, four: &mut FourPlanes, out: &mut [Plane]) {
         let [f0, f1, f2] = corner;
         let slots = from..from + out.len();
         let (Some(f0), Some(f1), Some(f2)) = (f0.get(slots.clone()), f1.get(slots.clone()), f2.get(slots)) else {
@@ -163,7 +165,7 @@ impl SetupPlan {
         };
         let count = out.len();
         let mut at = 0;
-        // The last four are made even where that repeats some: the result is the same.
+        // The last four may repeat some, with the same result.
         while let (Some(a), Some(b), Some(c), Some(to)) =
             (four_of(f0, at), four_of(f1, at), four_of(f2, at), out.get_mut(at..at + 4))
         {
@@ -186,7 +188,7 @@ impl SetupPlan {
         #[expect(unsafe_code, reason = "the level was checked when the plan was made")]
         // SAFETY: a plan is made for no level that the processor does not have.
         unsafe {
-            (self.run)(weights, slots, four);
+            (self.four)(weights, slots, four);
         }
         for (i, plane) in out.iter_mut().enumerate().take(4) {
             *plane = four.plane(i);
@@ -197,12 +199,12 @@ impl SetupPlan {
         }
     }
 
-    /// Colours once more where they are not simply those of the corners: flat shading, back faces.
+    /// Makes colours anew where they are not those of the corners: flat shading, back faces.
     fn colors(&self, weights: &Weights, values: &CornerValues, four: &mut FourPlanes, out: &mut [Plane]) {
         for (to, from, n) in self.color_slots(values.back) {
             let corners = if self.flat { [values.provoking; 3] } else { values.corner };
             if let Some(out) = out.get_mut(to..to + n) {
-                self.span(weights, corners, from, four, out);
+                self.slots(weights, corners, from, four, out);
             }
         }
     }

@@ -11,7 +11,7 @@ use crate::raster::geometry::{Coverage, SceneGeometry, index};
 use crate::raster::state::{Rect, limited_point};
 use crate::raster::vertex::VertexRef;
 
-/// A point on its way to being filed.
+/// A point to be set up.
 #[derive(Clone, Copy)]
 pub(crate) struct PointInput<'a> {
     pub v: VertexRef<'a>,
@@ -30,7 +30,7 @@ fn square(center: [i32; 2], size: i32) -> Rect {
 }
 
 impl SceneGeometry {
-    /// Sets up a point and files it.
+    /// Sets up a point.
     pub(crate) fn point(&mut self, cx: &SetupContext, dot: &PointInput) {
         let head = dot.v.head;
         let center = head.snapped;
@@ -58,10 +58,10 @@ impl SceneGeometry {
             Coverage::Rect(rect)
         };
         let planes = self.point_planes(cx, dot, origin);
-        self.file(cover, cx.draw, planes, (size * size) as u64 + 1);
+        self.push(cover, cx.draw, planes, (size * size) as u64 + 1);
     }
 
-    /// Planes without slopes, the slots in the pool.
+    /// Planes without slopes; those of the slots go to the plane buffer.
     fn point_planes(&mut self, cx: &SetupContext, dot: &PointInput, origin: [i32; 2]) -> Planes {
         let head = dot.v.head;
         let at = head.window[2] * cx.rs.depth_scale + dot.offset;

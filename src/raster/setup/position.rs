@@ -2,7 +2,8 @@
 
 use crate::fragment::planes::Linear;
 
-/// Positions of vertices that can be rasterised are below this, in 1/256 pixel: the guard band and some room.
+/// Vertices that are farther than this from the window's origin, in 1/256 pixel, are not rasterised: the guard band and some
+/// room.
 pub(crate) const LIMIT: i32 = 1 << 23;
 
 /// Whether all positions are within the limit.

@@ -10,7 +10,7 @@ use crate::raster::geometry::{Coverage, SceneGeometry, index};
 use crate::state::raster::PolygonMode;
 
 impl SceneGeometry {
-    /// Files a smooth filled triangle.
+    /// Adds a smooth filled triangle.
     pub(crate) fn smooth_triangle(&mut self, cx: &SetupContext, t: &TriangleInput, area: i64, back: bool) {
         if area == 0 {
             return;
@@ -28,10 +28,10 @@ impl SceneGeometry {
         }
         self.outlines.push(outline);
         let cover = Coverage::Outline(index(self.outlines.len() - 1));
-        self.file(cover, cx.draw, planes, area.unsigned_abs() >> 17);
+        self.push(cover, cx.draw, planes, area.unsigned_abs() >> 17);
     }
 
-    /// Files a smooth line: one rectangle, or one for each run of ones of the stipple.
+    /// Adds a smooth line: one rectangle, or one for each run of ones in the stipple.
     pub(crate) fn smooth_line(&mut self, cx: &SetupContext, s: &LineInput, stipple: &mut u32) {
         let planes = self.line_planes(cx, s);
         let [a, b] = s.v.map(|v| relative_snapped(v.head.snapped, planes.origin));
@@ -52,7 +52,7 @@ impl SceneGeometry {
             if !outline.rect.is_empty() {
                 self.outlines.push(outline);
                 let cover = Coverage::Outline(index(self.outlines.len() - 1));
-                self.file(cover, cx.draw, planes, ((to - from) * (2.0 * half + 2.0)) as u64 + 1);
+                self.push(cover, cx.draw, planes, ((to - from) * (2.0 * half + 2.0)) as u64 + 1);
             }
         };
         match cx.rs.line_stipple {

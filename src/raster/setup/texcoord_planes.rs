@@ -1,13 +1,13 @@
-//! Texture coordinates of a primitive (OpenGL 1.5, sections 3.5.1 and 3.8.8): q in place of w, whole periods taken off,
-//! and the question whether f32 is enough to evaluate them.
+//! Planes of texture coordinates (OpenGL 1.5, sections 3.5.1 and 3.8.8): q in place of w, whole periods subtracted, and
+//! whether f32 is precise enough to evaluate them.
 
 use super::basis::{Basis, CornerValues, constant};
 use super::weights::Weights;
 use crate::fragment::planes::{Linear, Plane, UnitSlots};
 use crate::num::round_f64;
 
-/// Coordinates of a unit: q, periods, and whether f64 is needed, as it is for all units without q where `wide_w` says
-/// so of w.
+/// Completes the planes of a unit's coordinates: q and periods. Returns whether they need f64, as those of all units without
+/// q do where `wide_w` says that w does.
 #[inline]
 pub(super) fn unit_planes(
     basis: &Basis,
@@ -44,7 +44,7 @@ pub(super) fn unit_planes(
     let narrow = error <= LIMIT * weights.far * greatest;
     let wide = wide_w || (!narrow && wide(basis, slots, &d, weights.r, weights.affine, out));
     for (plane, period) in out.iter_mut().zip(period).take(count) {
-        take_period_off(plane, period);
+        subtract_periods(plane, period);
     }
     wide
 }
@@ -74,7 +74,7 @@ fn projective_unit(
     let (d, r) = projective(basis, weights, [0, 1, 2].map(|i| [at(i, 0), at(i, 1), at(i, 2)]), q, out);
     let wide = wide(basis, slots, &d, r, false, out);
     for (plane, period) in out.iter_mut().zip(period).take(count) {
-        take_period_off(plane, period);
+        subtract_periods(plane, period);
     }
     wide
 }
@@ -106,7 +106,7 @@ fn floor(x: f64) -> f64 {
     r - if r > x { 1.0 } else { 0.0 }
 }
 
-/// What whole periods come to that can be taken off a value.
+/// The whole periods in a value.
 #[inline(always)]
 pub(crate) fn whole_periods(c: f64, period: u8) -> f64 {
     match period {
@@ -117,9 +117,9 @@ pub(crate) fn whole_periods(c: f64, period: u8) -> f64 {
     }
 }
 
-/// Takes whole periods off a plane, so that its values are near 0.
+/// Subtracts whole periods from a plane, so that its values are near 0.
 #[inline(always)]
-fn take_period_off(plane: &mut Plane, period: u8) {
+fn subtract_periods(plane: &mut Plane, period: u8) {
     let whole = whole_periods(f64::from(plane.c), period);
     if whole != 0.0 {
         plane.c = (f64::from(plane.c) - whole) as f32;
@@ -156,13 +156,14 @@ fn projective(
 ) -> (Linear, [f64; 3]) {
     let r = weights.r;
     let rq = [r[0] * q[0], r[1] * q[1], r[2] * q[2]];
-    let big = basis.linear(rq);
+    let q_plane = basis.linear(rq);
     let greatest = rq[0].abs().max(rq[1].abs()).max(rq[2].abs());
     let least = rq[0].abs().min(rq[1].abs()).min(rq[2].abs());
     let one_sign = rq.iter().all(|q| *q > 0.0) || rq.iter().all(|q| *q < 0.0);
-    let healthy = one_sign && big.at.abs() >= 0.5 * least && big.at.abs() <= 2.0 * greatest;
-    // Where q goes through 0 what is common to the corners is that of the greatest q: s/q of one near 0 would drown the rest.
-    let firm = (0..3).fold(0, |best, i: usize| if rq[i].abs() > rq[best].abs() { i } else { best });
+    let well_defined = one_sign && q_plane.at.abs() >= 0.5 * least && q_plane.at.abs() <= 2.0 * greatest;
+    // Where q changes its sign the reference is the corner with the greatest q: the s/q of one near 0 would be so large that
+    // the others' digits get lost.
+    let reference = (0..3).fold(0, |best, i: usize| if rq[i].abs() > rq[best].abs() { i } else { best });
     let count = out.len().saturating_sub(1);
     for (k, plane) in out.iter_mut().enumerate().take(count.min(3)) {
         let values = [0, 1, 2].map(|i: usize| s.get(i).and_then(|s| s.get(k)).copied().unwrap_or(0.0));
@@ -174,7 +175,8 @@ fn projective(
         let mut min = at[0].min(at[1]).min(at[2]);
         let mut max = at[0].max(at[1]).max(at[2]);
         let s = basis.linear([r[0] * values[0], r[1] * values[1], r[2] * values[2]]);
-        let here = if at[0] == at[1] && at[1] == at[2] || !healthy { at[firm] } else { (s.at / big.at) as f32 };
+        let here =
+            if at[0] == at[1] && at[1] == at[2] || !well_defined { at[reference] } else { (s.at / q_plane.at) as f32 };
         let here = if here < min { min } else { here };
         let mut c = if here > max { max } else { here };
         if !c.is_finite() {
@@ -196,11 +198,11 @@ fn projective(
         };
     }
     if let Some(plane) = out.get_mut(count) {
-        let ok = (big.at + big.x + big.y).is_finite();
-        let q = if ok { big } else { Linear { at: 1.0, x: 0.0, y: 0.0 } };
+        let ok = (q_plane.at + q_plane.x + q_plane.y).is_finite();
+        let q = if ok { q_plane } else { Linear { at: 1.0, x: 0.0, y: 0.0 } };
         *plane = Plane { c: 0.0, min: f32::MIN, max: f32::MAX, n0: q.at, nx: q.x, ny: q.y };
     }
-    (big, rq)
+    (q_plane, rq)
 }
 
 #[cfg(test)]
@@ -218,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_periods_come_off() {
+    fn whole_periods_are_subtracted() {
         let s = 1_000_003.0f32;
         let values = [vec![s, 0.25], vec![s + 2.0, 0.5], vec![s, 0.75]];
         for (period, off) in [(0, 0.0), (1, 1_000_003.0), (2, 1_000_002.0)] {

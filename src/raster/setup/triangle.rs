@@ -1,6 +1,6 @@
 //! Setup of triangles (OpenGL 1.5, sections 2.13.1, 3.5): facing by the sign of the snapped area, culling, polygon modes
-//! and offset, and the planes. What draws nothing is found out as early as possible: culled triangles before anything
-//! else is computed, small ones that contain no pixel centre before their planes are made.
+//! and offset, and the planes. Triangles that draw nothing are dropped as early as possible: culled ones first, small ones
+//! that contain no pixel centre before their planes are made.
 
 use super::SetupContext;
 use super::basis::{Basis, CornerValues};
@@ -14,7 +14,7 @@ use crate::raster::state::Rect;
 use crate::raster::vertex::{Vertex, VertexRef, twice_area};
 use crate::state::raster::PolygonMode;
 
-/// A triangle on its way to being filed.
+/// A triangle to be set up.
 pub(crate) struct TriangleInput<'a> {
     pub v: [VertexRef<'a>; 3],
     pub provoking: &'a [f32],
@@ -28,8 +28,8 @@ fn origin(v: &[&Vertex; 3]) -> [i32; 2] {
     let [a, b, c] = v.map(|v| v.clip[3]);
     let most = if b > a { b } else { a };
     let most = if c > most { c } else { most };
-    // Where w varies much, 1/w is small and sensitive at the far end: take that as the origin, so that what is added to
-    // it there is small too.
+    // Where w varies much, 1/w is small at the far end, where rounding errors show most. With the origin there, what is added
+    // to it is small, too.
     if most > 2.0 * a || most > 2.0 * b || most > 2.0 * c {
         return v.iter().find(|v| v.clip[3] == most).map_or(v[0].snapped, |v| v.snapped).map(|x| x >> 8);
     }
@@ -42,7 +42,7 @@ fn basis(v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64) -> Basis {
     let corner = v.map(|v| relative(v.window, origin));
     let [[x0, y0], [x1, y1], [x2, y2]] = corner;
     let det = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
-    // In slivers the true area may have little to do with the one that is drawn: values would leave their range.
+    // In slivers the two areas may differ much, and values would leave the range of the corners.
     let ratio = det * snapped_det;
     let square = snapped_det * snapped_det;
     if ratio > 0.5 * square && ratio < 2.0 * square {
@@ -68,7 +68,7 @@ fn depth(cx: &SetupContext, v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64
     if cx.rs.offset[mode as usize] {
         let slope = plane.x.abs().max(plane.y.abs());
         let steep = if cx.rs.offset_factor == 0.0 { 0.0 } else { slope * cx.rs.offset_factor };
-        // More than the whole range is as good as the range: depths are limited to it afterwards.
+        // Depths are clamped to the range afterwards.
         offset = (steep + cx.rs.offset_units).max(-2.0 * scale).min(2.0 * scale);
         plane.at += offset;
     }
@@ -82,9 +82,9 @@ fn pixels(area: i64) -> f64 {
 }
 
 impl SceneGeometry {
-    /// Sets up a triangle: culls it, or files it as its mode says.
+    /// Sets up a triangle: culls it, or adds what its polygon mode draws.
     pub(crate) fn triangle(&mut self, cx: &SetupContext, t: &TriangleInput, stipple: &mut u32) {
-        if cx.plan.is_grouped() && self.queue(cx, t) {
+        if cx.plan.is_batched() && self.queue(cx, t) {
             return;
         }
         self.flush_batch(cx);
@@ -106,7 +106,7 @@ impl SceneGeometry {
         }
     }
 
-    /// Files a filled triangle that is not culled.
+    /// Adds a filled triangle that is not culled.
     pub(crate) fn fill(&mut self, cx: &SetupContext, t: &TriangleInput, mut p: [[i32; 2]; 3], area: i64, back: bool) {
         let bounds = bounds(&p);
         let rect = bounds.and(cx.rs.area);
@@ -127,10 +127,10 @@ impl SceneGeometry {
             self.edges(&p, rect)
         };
         let planes = self.triangle_planes(cx, t, area, back, PolygonMode::Fill);
-        self.file(cover, cx.draw, planes, pixels);
+        self.push(cover, cx.draw, planes, pixels);
     }
 
-    /// Keeps the edges of a counter-clockwise triangle: its cover, and about how many pixels that is.
+    /// Adds the edges of a counter-clockwise triangle. Returns its coverage, and about how many pixels that is.
     #[inline]
     pub(crate) fn edges(&mut self, p: &[[i32; 2]; 3], rect: Rect) -> (Coverage, u64) {
         self.edges.push(Edges::new(p, rect));
@@ -138,7 +138,7 @@ impl SceneGeometry {
         (Coverage::Edges(index(self.edges.len() - 1)), pixels.unsigned_abs())
     }
 
-    /// The planes of a filled triangle, its slots in the pool.
+    /// The planes of a filled triangle; those of its slots go to the plane buffer.
     #[inline(always)]
     pub(crate) fn triangle_planes(
         &mut self,

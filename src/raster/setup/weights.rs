@@ -1,23 +1,23 @@
-//! The arithmetic of planes: weights of the corners and four slots at a time (OpenGL 1.5, sections 3.4.1 and 3.5.1). The
-//! loop over slots is a stage, compiled for each level; it works on differences from corner 0, in written order, so all
-//! levels give the same bits.
+//! The arithmetic of planes: weights of the corners, and the planes of four slots at a time (OpenGL 1.5, sections 3.4.1 and
+//! 3.5.1). The loop over slots is a stage, compiled for each instruction set; its sums are in written order, so all of them
+//! give the same bits.
 
 use super::basis::Basis;
 use crate::fragment::planes::{Linear, Plane};
 use crate::simd::stage;
 
-/// Basis and w together: the denominator, and the corners' parts of a numerator.
+/// Basis and w together: the denominator D, and the corners' parts of a numerator.
 pub(crate) struct Weights {
     pub d: Linear,
     pub affine: bool,
     pub r: [f64; 3],
     /// The least of r.
     pub far: f64,
-    /// How far corners are from the origin in x and in y.
+    /// The greatest distance of a corner from the origin, in x and in y.
     pub reach: [f64; 2],
     b1: Linear,
     b2: Linear,
-    /// 1 / D at the origin, or 0 where D is not of the size it has in the primitive.
+    /// 1 / D at the origin, or 0 where D is not in the range that it has within the primitive.
     scale: f64,
 }
 
@@ -49,7 +49,7 @@ impl Weights {
         Self { d, affine, r, far, reach, b1: times(r[1], b1), b2: times(r[2], b2), scale }
     }
 
-    /// The sum of a linear function's terms is nowhere in the primitive greater than this.
+    /// An upper bound, within the primitive, of the sum of the absolute terms of a linear function.
     #[inline]
     pub fn bound(&self, at: f64, x: f64, y: f64) -> f64 {
         at.abs() + x.abs() * self.reach[0] + y.abs() * self.reach[1]
@@ -87,7 +87,7 @@ impl Weights {
     }
 }
 
-/// Planes of four slots, value by value, so that they are computed by vector instructions.
+/// Planes of four slots as structure of arrays, so that vector instructions compute them.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(32))]
 pub(crate) struct FourPlanes {

@@ -1,16 +1,16 @@
-//! The corners of a group of small triangles, a triangle a lane: what setup works on.
+//! The corners of a batch of triangles, a triangle a lane.
 
 use crate::fragment::planes::GROUP;
 use crate::raster::vertex::Vertex;
 
-/// The most slots that a group's triangles may have: colours, fog and eight units of s, t, r and q.
+/// Most slots of the triangles in a batch: colours, fog and eight units of s, t, r and q.
 pub const MOST_SLOTS: usize = 40;
 
-/// Corners of triangles.
+/// Corners of 16 triangles.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct CornerLanes {
-    /// w, window x, y and z of each corner, in the order of a vertex.
+    /// w and window x, y, z of each corner, in the order of a vertex.
     pub position: [[[f64; GROUP]; 4]; 3],
     /// Snapped x and y of each corner.
     pub snapped: [[[i32; GROUP]; 2]; 3],
@@ -25,14 +25,14 @@ impl Default for CornerLanes {
 }
 
 impl CornerLanes {
-    /// The slots of a corner, as many as there is room for.
+    /// Copies the slots of a corner, as many as `to` has room for.
     pub(crate) fn slots(&self, lane: usize, corner: usize, to: &mut [f32]) {
         for (to, from) in to.iter_mut().zip(&self.slots) {
             *to = from[corner % 3][lane % GROUP];
         }
     }
 
-    /// The vertex at a corner, as far as planes depend on it.
+    /// The vertex at a corner, as far as setup depends on it.
     pub(crate) fn vertex(&self, lane: usize, corner: usize) -> Vertex {
         let [w, x, y, z] = self.position[corner].map(|lanes| lanes[lane]);
         let snapped = self.snapped[corner].map(|lanes| lanes[lane]);

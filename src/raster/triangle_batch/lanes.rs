@@ -2,7 +2,7 @@
 
 use crate::fragment::planes::GROUP;
 
-/// One integer for each triangle .
+/// One integer for each triangle.
 pub(crate) type I32x16 = [i32; GROUP];
 
 /// One number for each triangle.
@@ -19,7 +19,7 @@ pub(crate) struct LinearLanes {
 
 pub(super) const LINEAR_LANES: LinearLanes = LinearLanes { at: ZERO, x: ZERO, y: ZERO };
 
-/// What interpolation needs of the triangles themselves; see [`Weights`](crate::raster::setup::weights::Weights).
+/// What interpolation needs of each triangle; see [`Weights`](crate::raster::setup::weights::Weights).
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct BasisLanes {
     pub d: LinearLanes,
@@ -31,8 +31,8 @@ pub(crate) struct BasisLanes {
     pub(super) denominator: F64x16,
 }
 
-/// What becomes of a triangle: it covers nothing, is a member of the group with a mask, or with rows since it is too large
-/// for a mask, or must be set up alone since it is larger still.
+/// What becomes of a triangle: it covers nothing, or it is a member of the batch with a mask, or one with rows since it is
+/// too large for a mask, or it must be set up alone since it is larger still.
 pub(crate) const NOTHING: i32 = 0;
 pub(crate) const MASK: i32 = 1;
 pub(crate) const BLOCK: i32 = 2;

@@ -1,4 +1,4 @@
-//! The masks of a group of small triangles, a triangle a lane (OpenGL 1.5, section 3.5.1): the rule of [`coverage`], for
+//! The masks of a batch of small triangles, a triangle a lane (OpenGL 1.5, section 3.5.1): the rule of [`edges`], for
 //! pixels within 8 by 8 of a triangle's bounding box. The four columns of a row are the 16-bit digits of a u64, each with
 //! 2^15 added to its edge function, so that a digit's top bit says "not negative" and one addition goes on to the next
 //! row of all four.
@@ -6,7 +6,7 @@
 //! No digit leaves 0..2^16: |E| / 256 is at most the area of the square that holds triangle and pixels, in 1/256 pixel over
 //! 256, which is below 23,700 (9.6 pixels squared).
 //!
-//! [`polygon`]: crate::raster::setup::coverage
+//! [`edges`]: crate::raster::coverage::edges
 
 use super::lanes::I32x16;
 use crate::fragment::planes::GROUP;
@@ -15,8 +15,7 @@ const ONES: u64 = 0x0001_0001_0001_0001;
 const COUNT: u64 = 0x0003_0002_0001_0000;
 const TOP: u64 = 0x8000_8000_8000_8000;
 
-/// The function of a lane's edge, E = b (y - py) + a (x - px) in 1/256 of the grid's unit: a, b and its value at the pixel
-/// `first`. The edge runs between two corners of a triangle that winds counter-clockwise where `turn` is 0; where it is
+/// The edge function of a lane, E = b (y - py) + a (x - px) in 1/256 of the grid's unit: a, b and E at the pixel `first`. The edge runs between two corners of a triangle that winds counter-clockwise where `turn` is 0; where it is
 /// all ones, the triangle winds clockwise and the edge runs the other way.
 #[inline(always)]
 pub(crate) fn edge_function(
@@ -26,7 +25,7 @@ pub(crate) fn edge_function(
     first: &[I32x16; 2],
     i: usize,
 ) -> [i32; 3] {
-    // E vanishes on the whole edge, so that either end will do for p.
+    // E is 0 on the whole edge, so p may be either end.
     let (a, b) = (p[1][i] - q[1][i], q[0][i] - p[0][i]);
     let (a, b) = ((a ^ turn[i]) - turn[i], (b ^ turn[i]) - turn[i]);
     let (x, y) = ((first[0][i] << 8) + 128 - p[0][i], (first[1][i] << 8) + 128 - p[1][i]);
@@ -48,8 +47,9 @@ pub(crate) fn turns(area: &I32x16) -> I32x16 {
 /// An edge of each triangle: its function at the first four pixels of a row, and its change to the next row.
 struct MaskEdges {
     row: [u64; GROUP],
-    /// What four columns to the right add.
+    /// What a step of four columns to the right adds.
     right: [u64; GROUP],
+    /// What a step of one row up adds.
     up: [u64; GROUP],
 }
 

@@ -1,11 +1,10 @@
-//! Filled triangles wait for each other until there are as many as a group holds, and are then set up together, a triangle
-//! a lane: facing and culling, masks, planes. Those that are not small (8 by 8 pixels) have edges in place of a mask, and the
-//! large ones (above 16 by 16) are then set up alone. What waits is filed before anything else is, so that the order of
-//! issue is kept.
+//! Setup of 16 filled triangles at once, a triangle a lane (OpenGL 1.5, section 3.5.1): facing and culling, coverage,
+//! planes. Triangles of at most 8 by 8 pixels have a mask, those of at most 16 by 16 the ends of their rows; larger ones are
+//! set up alone.
 //!
-//! Corners come one by one, their slots in quads: those of slots 0 to 3, 4 to 7 and so on, and one of the last four slots
-//! where their number is no multiple of 4 (then some are in two quads). They are turned into [`CornerLanes`], unless somebody
-//! has them in that form already.
+//! Corners are stored one by one, their slots in quads: slots 0 to 3, 4 to 7 and so on, and the last four slots where the
+//! number is no multiple of 4 (some slots are then in two quads). Before setup they are transposed into [`CornerLanes`],
+//! unless they come in that form.
 
 pub(super) mod corners;
 pub(super) mod lanes;
@@ -20,36 +19,36 @@ use corners::{CornerLanes, MOST_SLOTS};
 use lanes::{BasisLanes, F64x16, I32x16, LinearLanes, NOTHING};
 use rows::{ROWS, RowEnds};
 
-/// Triangles on their way to being filed.
+/// Triangles that are set up together, with all intermediate results.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct TriangleBatch {
     /// Slots of each corner.
     pub quads: [[[[f32; 4]; GROUP]; 3]; MOST_SLOTS / 4],
-    /// w, window x, y and z of each corner, in the order of a vertex.
+    /// w and window x, y, z of each corner, in the order of a vertex.
     pub position: [[[f64; 4]; GROUP]; 3],
-    /// The same, and the snapped positions, a triangle a lane.
+    /// The same a triangle a lane, and the snapped positions.
     pub corners: CornerLanes,
     /// The first pixel of each bounding box, and the one after the last.
     pub first: [I32x16; 2],
     pub last: [I32x16; 2],
-    /// What becomes of each triangle.
+    /// What becomes of each triangle: see [`lanes`].
     pub kind: I32x16,
-    /// Whether its bounding box leaves what may be written.
+    /// Whether its bounding box reaches beyond what may be written.
     pub cut: I32x16,
-    /// The result: covered pixels, before clipping.
+    /// The masks, before clipping.
     pub bits: [u64; GROUP],
-    /// The rows of triangles that are too large for that.
+    /// The rows of triangles that are too large for a mask.
     pub ends: RowEnds,
-    /// How many pixels those cover.
+    /// How many pixels those rows have.
     pub pixels: I32x16,
     pub area: I32x16,
     pub origin: [I32x16; 2],
     pub z: LinearLanes,
     pub bases: BasisLanes,
     pub affine: [bool; GROUP],
-    /// NaN where a triangle must be done alone.
-    pub odd: F64x16,
+    /// NaN where the planes of a triangle must be made alone.
+    pub needs_scalar: F64x16,
     /// How many triangles there are.
     pub count: usize,
 }
@@ -72,13 +71,13 @@ impl Default for TriangleBatch {
             z: LinearLanes::default(),
             bases: BasisLanes::default(),
             affine: [true; GROUP],
-            odd: [0.0; GROUP],
+            needs_scalar: [0.0; GROUP],
             count: 0,
         }
     }
 }
 
-/// The quad that holds a slot of so many, and the slot's position in it.
+/// The quad that holds a slot of `count` slots, and where in it.
 #[inline(always)]
 pub(crate) const fn quad_of(count: usize, slot: usize) -> (usize, usize) {
     let whole = count / 4;
@@ -92,7 +91,7 @@ pub(crate) const fn quad_of(count: usize, slot: usize) -> (usize, usize) {
 }
 
 impl TriangleBatch {
-    /// Puts the slots of a triangle's corners in place. False where a vertex lacks some.
+    /// Stores the slots of a triangle's corners. False where a vertex lacks some.
     #[inline]
     fn put_slots(&mut self, v: &[VertexRef<'_>; 3], count: usize) -> bool {
         let lane = self.count % GROUP;
@@ -116,7 +115,7 @@ impl TriangleBatch {
         true
     }
 
-    /// Puts triangles in place, as many as there is room for.
+    /// Stores triangles, as many as there is room for.
     #[inline]
     fn put(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], count: usize) {
         let lanes = self.count..GROUP;
@@ -129,7 +128,7 @@ impl TriangleBatch {
                 [xs[lane], ys[lane]] = v.snapped;
             }
             for (k, quad) in self.quads.iter_mut().enumerate().take(count.div_ceil(4)) {
-                // The last quad may have slots of the one before it, or more than the vertex has, which nobody reads.
+                // The last quad may repeat slots of the one before it, or have more than the vertex has, which are not read.
                 let from = (4 * k).min(count.max(4) - 4);
                 for (ids, lane) in triangles.iter().zip(lanes.clone()) {
                     let at = ids[corner] as usize * vertices.stride + from;

@@ -1,6 +1,6 @@
-//! The planes of a group of small triangles, a triangle a lane (OpenGL 1.5, section 3.5.1): what [`setup`] and [`weights`]
-//! do for one triangle, in the same order of the same operations, so that either gives the same bits. A lane where it
-//! does not end well (values that are no numbers, ranges that may need f64) is marked, and its triangle done alone.
+//! The planes of a batch of triangles, a triangle a lane (OpenGL 1.5, section 3.5.1): what [`setup`] and [`weights`] do for
+//! one triangle, by the same operations in the same order, so that both give the same bits. A triangle with NaN or infinite
+//! planes, or whose ranges may need f64, is marked, and its planes are made alone.
 //!
 //! [`setup`]: crate::raster::setup::triangle
 //! [`weights`]: crate::raster::setup::weights
@@ -17,10 +17,10 @@ use crate::raster::setup::weights::range;
 use crate::raster::state::Rect;
 use crate::simd::stage;
 
-/// What is to be computed of the state.
+/// What the layout of a draw asks of each slot.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SlotRules {
-    /// The coordinates that each slot belongs to, if any.
+    /// The texture coordinate that each slot is, if it is one.
     pub slots: Vec<Option<TexcoordSlot>>,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct TexcoordSlot {
 }
 
 impl SlotRules {
-    /// Takes over a layout, none of whose units has a q.
+    /// Takes a layout, none of whose units has a q.
     pub(crate) fn set(&mut self, layout: &Layout) {
         self.slots.clear();
         self.slots.resize(layout.count, None);
@@ -49,23 +49,23 @@ impl SlotRules {
     }
 }
 
-/// What of the state decides over a triangle.
+/// The state that decides what becomes of a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BatchState {
     /// Where pixels may be written.
     pub area: Rect,
     /// Whether triangles that wind counter-clockwise, or do not, are culled.
     pub culls: [bool; 2],
-    /// What the window's z is multiplied with.
+    /// The depth buffer's largest value, by which window z is multiplied.
     pub scale: f64,
     /// Factor and units of the polygon offset.
     pub offset: Option<[f64; 2]>,
 }
 
-/// The largest bounding box of a member: its runs of pixels are too short to be worth more than lanes of a batch.
+/// Side of the largest bounding box of a member. Its runs of pixels are too short to be drawn as spans.
 const MOST: i32 = ROWS as i32;
 
-/// Where w, window x (then y) and z stand in a corner's numbers: as in a vertex.
+/// Where w, window x (then y) and z are among a corner's numbers.
 const W: usize = 0;
 const X: usize = 1;
 const Z: usize = 3;
@@ -73,8 +73,8 @@ const Z: usize = 3;
 /// The numbers of each corner.
 type CornerPositions = [[F64x16; 4]; 3];
 
-/// Corner by corner and triangle by triangle into lanes. All four are moved at once: a loop over some of them would be
-/// scalar code.
+/// Transposes positions, corner by corner, into lanes. All four numbers are moved in one loop: separate loops become scalar
+/// code.
 #[inline(always)]
 fn lanes(quads: &[[[f64; 4]; GROUP]; 3], out: &mut CornerPositions) {
     for (quads, [a, b, c, d]) in quads.iter().zip(out) {
@@ -96,28 +96,28 @@ fn slot_lanes(quads: &[[[f32; 4]; GROUP]; 3], out: &mut [[[f32; GROUP]; 3]; 4]) 
     }
 }
 
-/// Turns the corners of so many slots into lanes.
-pub(crate) type TurnFn = unsafe fn(&mut TriangleBatch, usize);
+/// Transposes the corners, with so many slots, into lanes.
+pub(crate) type TransposeFn = unsafe fn(&mut TriangleBatch, usize);
 
-/// Sets up a group: masks, and planes in one place a slot.
-pub(crate) type GroupFn = unsafe fn(&mut TriangleBatch, &SlotRules, &BatchState, &mut [PlaneGroup]);
+/// Sets up a batch: coverage, and one batch of planes for each slot.
+pub(crate) type SetUpBatchFn = unsafe fn(&mut TriangleBatch, &SlotRules, &BatchState, &mut [PlaneGroup]);
 
-/// What the members of a group are like.
+/// What the members of a batch are like.
 struct BatchExtent {
     /// The largest width and height of masks.
     masks: [u32; 2],
     /// The most rows of the others.
     rows: u32,
-    /// Whether there are any.
+    /// Whether there is a member.
     any: bool,
 }
 
 /// Bounding boxes, areas, and what becomes of each triangle.
 #[inline(always)]
-fn sort(group: &mut TriangleBatch, view: &BatchState) -> BatchExtent {
-    let TriangleBatch { corners: CornerLanes { snapped: p, .. }, first, last, area, kind, cut, .. } = group;
+fn classify(batch: &mut TriangleBatch, view: &BatchState) -> BatchExtent {
+    let TriangleBatch { corners: CornerLanes { snapped: p, .. }, first, last, area, kind, cut, .. } = batch;
     for i in 0..GROUP {
-        // What is not within the limit comes to nothing: three times the same corner.
+        // A triangle beyond the limit is made one that covers nothing: three times the same corner.
         let mut within = true;
         for corner in p.iter() {
             within &= ((corner[0][i].wrapping_add(LIMIT_OF_POSITIONS) | corner[1][i].wrapping_add(LIMIT_OF_POSITIONS))
@@ -140,7 +140,7 @@ fn sort(group: &mut TriangleBatch, view: &BatchState) -> BatchExtent {
     let [positive, other] = view.culls;
     for i in 0..GROUP {
         let side = |k: usize, c: usize| p[c][k][i] - p[0][k][i];
-        // Of large triangles this may be anything.
+        // This overflows for large triangles, which are set up alone.
         area[i] = side(0, 1).wrapping_mul(side(1, 2)).wrapping_sub(side(0, 2).wrapping_mul(side(1, 1)));
         let [x0, y0, x1, y1] = [first[0][i], first[1][i], last[0][i], last[1][i]];
         let (x, y) = (x1 - x0, y1 - y0);
@@ -164,11 +164,12 @@ fn sort(group: &mut TriangleBatch, view: &BatchState) -> BatchExtent {
 
 /// The pixels that positions are relative to.
 #[inline(always)]
-fn origins(group: &mut TriangleBatch) {
-    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, first, origin, .. } = group;
+fn origins(batch: &mut TriangleBatch) {
+    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, first, origin, .. } = batch;
     for k in 0..2 {
         for i in 0..GROUP {
-            // The mean of the three, a third at a time in whole pixels: it is between -1 and 17 from the box.
+            // The mean of the three in whole pixels, by a multiplication in place of a division: it is between -1 and 17
+            // pixels from the box.
             let from = first[k][i];
             let sum = (p[0][k][i] + p[1][k][i] + p[2][k][i]) - 768 * from + 768;
             origin[k][i] = from - 1 + ((sum >> 8).wrapping_mul(43691) >> 17);
@@ -184,7 +185,7 @@ fn origins(group: &mut TriangleBatch) {
     for i in 0..GROUP {
         any |= varies(i).1;
     }
-    // Few small triangles have the far end for their origin.
+    // Few small triangles have their origin at the far end.
     for i in (0..GROUP).filter(|_| any) {
         let (most, varies) = varies(i);
         let far = (0..3).find(|c| position[*c][W][i] == most).unwrap_or(0);
@@ -196,8 +197,8 @@ fn origins(group: &mut TriangleBatch) {
 
 /// The depth planes, from snapped positions.
 #[inline(always)]
-fn depths(group: &mut TriangleBatch, view: &BatchState, odd: &mut F64x16) {
-    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, z, .. } = group;
+fn depths(batch: &mut TriangleBatch, view: &BatchState, needs_scalar: &mut F64x16) {
+    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, z, .. } = batch;
     for i in 0..GROUP {
         let det = f64::from(area[i]) * (1.0 / 65536.0);
         let [z0, z1, z2] = [position[0][Z][i], position[1][Z][i], position[2][Z][i]].map(|z| z * view.scale);
@@ -208,7 +209,7 @@ fn depths(group: &mut TriangleBatch, view: &BatchState, odd: &mut F64x16) {
         let from = |k: usize| f64::from(p[0][k][i] - (origin[k][i] << 8) - 128) * (1.0 / 256.0);
         let at = z0 - (from(0) * x + from(1) * y);
         (z.at[i], z.x[i], z.y[i]) = (at, x, y);
-        odd[i] = (at + x + y) * 0.0;
+        needs_scalar[i] = (at + x + y) * 0.0;
     }
     if let Some([factor, units]) = view.offset {
         for i in 0..GROUP {
@@ -222,8 +223,8 @@ fn depths(group: &mut TriangleBatch, view: &BatchState, odd: &mut F64x16) {
 
 /// The weights of the corners, from the unsnapped positions where their area is about that of the snapped ones.
 #[inline(always)]
-fn bases(group: &mut TriangleBatch, odd: &mut F64x16) {
-    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, bases, affine, .. } = group;
+fn bases(batch: &mut TriangleBatch, needs_scalar: &mut F64x16) {
+    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, bases, affine, .. } = batch;
     for i in 0..GROUP {
         let snapped_det = f64::from(area[i]) * (1.0 / 65536.0);
         let from = [0, 1].map(|k: usize| f64::from(origin[k][i]) + 0.5);
@@ -256,13 +257,13 @@ fn bases(group: &mut TriangleBatch, odd: &mut F64x16) {
     bases.d = LinearLanes { at: [1.0; GROUP], ..LINEAR_LANES };
     (bases.far, bases.scale, bases.denominator) = ([1.0; GROUP], [1.0; GROUP], ZERO);
     if most {
-        denominators(position, affine, bases, odd);
+        denominators(position, affine, bases, needs_scalar);
     }
 }
 
 /// D, and the weights that belong to it, where w varies.
 #[inline(always)]
-fn denominators(position: &CornerPositions, affine: &[bool; GROUP], bases: &mut BasisLanes, odd: &mut F64x16) {
+fn denominators(position: &CornerPositions, affine: &[bool; GROUP], bases: &mut BasisLanes, needs_scalar: &mut F64x16) {
     let BasisLanes { d, b: [b1, b2], far, scale, reach, denominator } = bases;
     for i in 0..GROUP {
         let w = [position[0][W][i], position[1][W][i], position[2][W][i]];
@@ -284,7 +285,7 @@ fn denominators(position: &CornerPositions, affine: &[bool; GROUP], bases: &mut 
         (b2.at[i], b2.x[i], b2.y[i]) = (r2 * b2.at[i], r2 * b2.x[i], r2 * b2.y[i]);
         let bound = at.abs() + x.abs() * reach[0][i] + y.abs() * reach[1][i];
         denominator[i] = if one { 0.0 } else { bound };
-        odd[i] = if bound > 2048.0 * least_r { f64::NAN } else { odd[i] };
+        needs_scalar[i] = if bound > 2048.0 * least_r { f64::NAN } else { needs_scalar[i] };
     }
 }
 
@@ -297,7 +298,7 @@ struct Numerators {
 
 /// The planes of one slot.
 #[inline(always)]
-fn slot(bases: &BasisLanes, f: &[[f32; GROUP]; 3], odd: &mut F64x16, out: &mut PlaneGroup) -> Numerators {
+fn slot(bases: &BasisLanes, f: &[[f32; GROUP]; 3], needs_scalar: &mut F64x16, out: &mut PlaneGroup) -> Numerators {
     let BasisLanes { d, b: [b1, b2], scale, .. } = bases;
     let mut n = Numerators { at: ZERO, x: ZERO, y: ZERO };
     let [f0, f1, f2] = f;
@@ -314,7 +315,7 @@ fn slot(bases: &BasisLanes, f: &[[f32; GROUP]; 3], odd: &mut F64x16, out: &mut P
         let c = if here > max { max } else { here };
         let delta = f64::from(c) - f64::from(f0);
         let (at, x, y) = (at - delta * d.at[i], x - delta * d.x[i], y - delta * d.y[i]);
-        odd[i] += (at + x + y) * 0.0;
+        needs_scalar[i] += (at + x + y) * 0.0;
         (out.c[i], out.min[i], out.max[i]) = (c, min, max);
         (out.n0[i], out.nx[i], out.ny[i]) = (at as f32, x as f32, y as f32);
         (n.at[i], n.x[i], n.y[i]) = (at, x, y);
@@ -322,7 +323,7 @@ fn slot(bases: &BasisLanes, f: &[[f32; GROUP]; 3], odd: &mut F64x16, out: &mut P
     n
 }
 
-/// How large the terms of a unit's coordinates become, against how large they may.
+/// How large the terms of a unit's coordinates become, in texels, and the limit for a cube map.
 struct TexcoordError {
     error: F64x16,
     greatest: F64x16,
@@ -331,7 +332,7 @@ struct TexcoordError {
 impl TexcoordError {
     const NONE: Self = Self { error: ZERO, greatest: ZERO };
 
-    /// Takes in a coordinate, whose periods are still on.
+    /// Adds a coordinate, before whole periods are subtracted.
     #[inline(always)]
     fn coordinate(&mut self, bases: &BasisLanes, of: &TexcoordSlot, n: &Numerators, planes: &PlaneGroup) {
         for i in 0..GROUP {
@@ -350,18 +351,18 @@ impl TexcoordError {
 
     /// After the last coordinate of a unit: marks the triangles that may need f64.
     #[inline(always)]
-    fn finish(&mut self, bases: &BasisLanes, odd: &mut F64x16) {
+    fn finish(&mut self, bases: &BasisLanes, needs_scalar: &mut F64x16) {
         for i in 0..GROUP {
             let narrow = self.error[i] <= LIMIT * bases.far[i] * self.greatest[i];
-            odd[i] = if narrow { odd[i] } else { f64::NAN };
+            needs_scalar[i] = if narrow { needs_scalar[i] } else { f64::NAN };
         }
         *self = Self::NONE;
     }
 }
 
-/// Takes whole periods off.
+/// Subtracts whole periods.
 #[inline(always)]
-fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
+fn subtract_periods(planes: &mut PlaneGroup, period: u8) {
     if period == 0 {
         return;
     }
@@ -374,11 +375,11 @@ fn take_periods_off(planes: &mut PlaneGroup, period: u8) {
 }
 
 stage! {
-    /// The corners of a group into lanes.
-    pub(crate) fn TURN_GROUP: TurnFn = (group: &mut TriangleBatch, count: usize) {
-        let TriangleBatch { quads, position, corners, .. } = group;
+    /// Transposes the corners of a batch.
+    pub(crate) fn TRANSPOSE: TransposeFn = (batch: &mut TriangleBatch, count: usize) {
+        let TriangleBatch { quads, position, corners, .. } = batch;
         lanes(position, &mut corners.position);
-        // The last one first: what it has of the slots of the one before it may be other colours than it should be.
+        // The last quad first: where it repeats slots of the quad before it, that one has the right colours.
         for (k, quad) in quads.iter().enumerate().take(count.div_ceil(4)).rev() {
             let first = (4 * k).min(count.max(4) - 4);
             if let Some(slots) = corners.slots.get_mut(first..).and_then(|slots| slots.first_chunk_mut()) {
@@ -387,31 +388,31 @@ stage! {
         }
     }
 
-    /// Masks and planes of a group.
-    pub(crate) fn SET_UP_GROUP: GroupFn = (group: &mut TriangleBatch, rules: &SlotRules, view: &BatchState, out: &mut [PlaneGroup]) {
-        let members = sort(group, view);
+    /// Coverage and planes of a batch.
+    pub(crate) fn SET_UP_BATCH: SetUpBatchFn = (batch: &mut TriangleBatch, rules: &SlotRules, view: &BatchState, out: &mut [PlaneGroup]) {
+        let members = classify(batch, view);
         if !members.any {
             return;
         }
-        let mut odd = ZERO;
-        origins(group);
-        masks(&group.corners.snapped, &group.area, &group.first, members.masks, &mut group.bits);
+        let mut needs_scalar = ZERO;
+        origins(batch);
+        masks(&batch.corners.snapped, &batch.area, &batch.first, members.masks, &mut batch.bits);
         if members.rows > 0 {
-            group.pixels = rows(&group.corners.snapped, &group.area, &group.first, members.rows, &mut group.ends);
+            batch.pixels = rows(&batch.corners.snapped, &batch.area, &batch.first, members.rows, &mut batch.ends);
         }
-        depths(group, view, &mut odd);
-        bases(group, &mut odd);
+        depths(batch, view, &mut needs_scalar);
+        bases(batch, &mut needs_scalar);
         let mut terms = TexcoordError::NONE;
-        for (rule, (f, planes)) in rules.slots.iter().zip(group.corners.slots.iter().zip(out)) {
-            let numerators = slot(&group.bases, f, &mut odd, planes);
+        for (rule, (f, planes)) in rules.slots.iter().zip(batch.corners.slots.iter().zip(out)) {
+            let numerators = slot(&batch.bases, f, &mut needs_scalar, planes);
             if let Some(of) = rule {
-                terms.coordinate(&group.bases, of, &numerators, planes);
+                terms.coordinate(&batch.bases, of, &numerators, planes);
                 if of.last {
-                    terms.finish(&group.bases, &mut odd);
+                    terms.finish(&batch.bases, &mut needs_scalar);
                 }
-                take_periods_off(planes, of.period);
+                subtract_periods(planes, of.period);
             }
         }
-        group.odd = odd;
+        batch.needs_scalar = needs_scalar;
     }
 }

@@ -1,5 +1,5 @@
-//! Filled triangles wait in the batch until it is full, and are then set up together. What waits is stored before any
-//! other primitive is, so that the order of issue is kept.
+//! The queue of filled triangles: they wait in the batch until it is full, and are then set up together. The batch is flushed
+//! before any other primitive is added, so that the order of issue is kept.
 
 use super::corners::{CornerLanes, MOST_SLOTS};
 use super::lanes::{ALONE, LinearLanes, MASK, NOTHING};
@@ -15,7 +15,7 @@ use crate::raster::vertex::{VertexRef, Vertices, twice_area};
 use crate::state::raster::PolygonMode;
 
 impl TriangleBatch {
-    /// Puts colours in place that are not simply those of the corners: flat shading, back faces.
+    /// Replaces the colours where they are not those of the corners: flat shading, back faces.
     fn put_colors(&mut self, cx: &SetupContext, t: &TriangleInput, back: bool) {
         let lane = self.count % GROUP;
         let layout = cx.plan.layout();
@@ -34,84 +34,88 @@ impl TriangleBatch {
 }
 
 impl SceneGeometry {
-    /// Lets a filled triangle wait. False, and nothing done, where a vertex lacks slots.
+    /// Queues a filled triangle. False, and nothing done, where a vertex lacks slots.
     #[inline]
     pub(crate) fn queue(&mut self, cx: &SetupContext, t: &TriangleInput) -> bool {
-        let group = &mut *self.group;
-        let lane = group.count % GROUP;
+        let batch = &mut *self.batch;
+        let lane = batch.count % GROUP;
         let layout = cx.plan.layout();
-        if !group.put_slots(&t.v, layout.count) {
+        if !batch.put_slots(&t.v, layout.count) {
             return false;
         }
         if cx.rs.flat || layout.back.is_some() {
             let area = twice_area(&t.v.map(|v| v.head.snapped));
-            group.put_colors(cx, t, area == 0 || (area > 0) != cx.rs.ccw_is_front);
+            batch.put_colors(cx, t, area == 0 || (area > 0) != cx.rs.ccw_is_front);
         }
         for (corner, v) in t.v.iter().enumerate() {
             let [x, y, z] = v.head.window;
-            group.position[corner][lane] = [v.head.clip[3], x, y, z];
+            batch.position[corner][lane] = [v.head.clip[3], x, y, z];
             for k in 0..2 {
-                group.corners.snapped[corner][k][lane] = v.head.snapped[k];
+                batch.corners.snapped[corner][k][lane] = v.head.snapped[k];
             }
         }
-        group.count += 1;
-        if group.count == GROUP {
+        batch.count += 1;
+        if batch.count == GROUP {
             self.set_up_batch(cx);
         }
         true
     }
 
-    /// Whether triangles may wait [many at a time](Self::queue_all): where each corner has its own colours.
+    /// Whether triangles may be queued [many at a time](Self::queue_all): where each corner has its own colours.
     pub(crate) fn can_batch(cx: &SetupContext, stride: usize) -> bool {
         let layout = cx.plan.layout();
-        cx.plan.is_grouped() && !cx.rs.flat && layout.back.is_none() && layout.count <= stride
+        cx.plan.is_batched() && !cx.rs.flat && layout.back.is_none() && layout.count <= stride
     }
 
-    /// Lets filled triangles wait, whose corners are some of many vertices.
+    /// Queues filled triangles by the indices of their corners.
     pub(crate) fn queue_all(&mut self, cx: &SetupContext, vertices: &Vertices, triangles: &[[u32; 3]]) {
         let mut rest = triangles;
         while !rest.is_empty() {
-            let free = GROUP - self.group.count % GROUP;
+            let free = GROUP - self.batch.count % GROUP;
             let (now, later) = rest.split_at(free.min(rest.len()));
-            self.group.put(vertices, now, cx.plan.layout().count);
+            self.batch.put(vertices, now, cx.plan.layout().count);
             rest = later;
-            if self.group.count == GROUP {
+            if self.batch.count == GROUP {
                 self.set_up_batch(cx);
             }
         }
     }
 
-    /// Files the triangles that wait.
+    /// Sets up the triangles that wait.
     pub(crate) fn flush_batch(&mut self, cx: &SetupContext) {
-        if self.group.count > 0 {
+        if self.batch.count > 0 {
             self.set_up_batch(cx);
         }
     }
 
-    /// Files triangles whose corners `fill` puts in place, a triangle a lane, in the first lanes.
+    /// Sets up `count` triangles, whose corners `fill` writes to the first lanes.
     pub(crate) fn add_lanes(&mut self, cx: &SetupContext, count: usize, fill: impl FnOnce(&mut CornerLanes)) {
         self.flush_batch(cx);
-        fill(&mut self.group.corners);
+        fill(&mut self.batch.corners);
         self.set_up_lanes(cx, count.min(GROUP));
     }
 
     fn set_up_batch(&mut self, cx: &SetupContext) {
-        let count = std::mem::take(&mut self.group.count).min(GROUP);
-        cx.plan.turn(&mut self.group);
+        let count = std::mem::take(&mut self.batch.count).min(GROUP);
+        cx.plan.transpose(&mut self.batch);
         self.set_up_lanes(cx, count);
     }
 
-    /// Files the triangles of so many lanes.
+    /// Sets up the triangles of the first lanes.
     fn set_up_lanes(&mut self, cx: &SetupContext, count: usize) {
         let rs = cx.rs;
         let offset = rs.offset[PolygonMode::Fill as usize].then_some([rs.offset_factor, rs.offset_units]);
         let (ccw, cw) = if rs.ccw_is_front { (0, 1) } else { (1, 0) };
         let culls = [rs.cull[ccw], rs.cull[cw]];
         let (first, planes) = self.pool.more_groups(cx.plan.layout().count);
-        cx.plan.group(&mut self.group, &BatchState { area: rs.area, culls, scale: rs.depth_scale, offset }, planes);
+        cx.plan.set_up_batch(
+            &mut self.batch,
+            &BatchState { area: rs.area, culls, scale: rs.depth_scale, offset },
+            planes,
+        );
         let mut used = false;
         for lane in 0..count {
-            match self.group.kind[lane] {
+            match self.batch.kind[lane] {
                 NOTHING => {}
                 ALONE => self.set_up_alone(cx, lane),
                 kind => used |= self.push_member(cx, lane, first, kind),
@@ -122,15 +126,15 @@ impl SceneGeometry {
         }
     }
 
-    /// Files a member of a group whose planes begin somewhere. False where it has no pixel.
+    /// Adds the triangle of a lane, with planes that begin at `first`. False where it has no pixel.
     #[inline]
     fn push_member(&mut self, cx: &SetupContext, lane: usize, first: u32, kind: i32) -> bool {
-        let group = &*self.group;
-        let [x, y] = [group.first[0][lane], group.first[1][lane]];
-        let bounds = Rect { x0: x, y0: y, x1: group.last[0][lane], y1: group.last[1][lane] };
+        let batch = &*self.batch;
+        let [x, y] = [batch.first[0][lane], batch.first[1][lane]];
+        let bounds = Rect { x0: x, y0: y, x1: batch.last[0][lane], y1: batch.last[1][lane] };
         let (cover, pixels) = if kind == MASK {
-            let mut bits = group.bits[lane];
-            if group.cut[lane] != 0 || cx.rs.polygon_stipple.is_some() {
+            let mut bits = batch.bits[lane];
+            if batch.cut[lane] != 0 || cx.rs.polygon_stipple.is_some() {
                 bits &= clip_mask(cx, bounds, bounds.and(cx.rs.area));
             }
             if bits == 0 {
@@ -138,16 +142,16 @@ impl SceneGeometry {
             }
             (Coverage::Mask { x, y, bits }, u64::from(bits.count_ones()))
         } else {
-            let mut pixels = u64::from(group.pixels[lane].unsigned_abs());
+            let mut pixels = u64::from(batch.pixels[lane].unsigned_abs());
             if pixels == 0 {
                 return false;
             }
-            // Put together where they are kept: on their way through a variable they would be read back before they are
-            // written.
+            // Built in the vector: a local variable would be read back by wide loads before its narrow stores have
+            // finished.
             self.blocks.push(RowCoverage::new([x, y], bounds.y1 - bounds.y0));
             if let Some(rows) = self.blocks.last_mut() {
-                rows.take(&group.ends, lane);
-                if group.cut[lane] != 0 {
+                rows.take(&batch.ends, lane);
+                if batch.cut[lane] != 0 {
                     pixels = rows.cut(bounds.and(cx.rs.area));
                 }
             }
@@ -157,23 +161,23 @@ impl SceneGeometry {
             }
             (Coverage::Rows(index(self.blocks.len() - 1)), pixels)
         };
-        let group = &*self.group;
-        if group.odd[lane].is_nan() {
+        let batch = &*self.batch;
+        if batch.needs_scalar[lane].is_nan() {
             let planes = self.with_lane(cx, lane, |geometry, t, area| {
                 geometry.triangle_planes(cx, t, area, false, PolygonMode::Fill)
             });
-            self.file(cover, cx.draw, planes, pixels);
+            self.push(cover, cx.draw, planes, pixels);
             return true;
         }
-        // Made where they are filed: on their way through a variable they would be read back before they are written.
+        // Built in the vector, for the same reason.
         let of = |l: &LinearLanes| Linear { at: l.at[lane], x: l.x[lane], y: l.y[lane] };
         self.prims.push(Prim { cover, draw: cx.draw });
         self.pixels += pixels;
         self.planes.push(Planes {
-            origin: [group.origin[0][lane], group.origin[1][lane]],
-            z: of(&group.z),
-            d: of(&group.bases.d),
-            affine: group.affine[lane],
+            origin: [batch.origin[0][lane], batch.origin[1][lane]],
+            z: of(&batch.z),
+            d: of(&batch.bases.d),
+            affine: batch.affine[lane],
             wide: 0,
             first,
             member: Some(lane as u8),
@@ -181,7 +185,7 @@ impl SceneGeometry {
         true
     }
 
-    /// Files a triangle that has waited although it is large.
+    /// Sets up the triangle of a lane alone: it is too large for the batch.
     fn set_up_alone(&mut self, cx: &SetupContext, lane: usize) {
         self.with_lane(cx, lane, |geometry, t, area| {
             let back = area == 0 || (area > 0) != cx.rs.ccw_is_front;
@@ -191,8 +195,8 @@ impl SceneGeometry {
         });
     }
 
-    /// Does something with a waiting triangle and its area. Colours have been put in place already: those of the side
-    /// that is seen, and of the provoking vertex.
+    /// Calls `run` with the triangle of a lane and its area. Its colours are already those of the visible side and of the
+    /// provoking vertex.
     fn with_lane<T>(
         &mut self,
         cx: &SetupContext,
@@ -200,7 +204,7 @@ impl SceneGeometry {
         run: impl FnOnce(&mut Self, &TriangleInput, i64) -> T,
     ) -> T {
         let count = cx.plan.layout().count;
-        let corners = &self.group.corners;
+        let corners = &self.batch.corners;
         let vertex = [0, 1, 2].map(|corner| corners.vertex(lane, corner));
         let mut room = [0.0; 3 * MOST_SLOTS];
         let count = count.min(MOST_SLOTS);
@@ -233,12 +237,12 @@ mod tests {
         let mut unit = Layout { count: 2, stride: 2, ..Layout::default() };
         unit.units[1] = Some(UnitSlots { base: 0, period: [1; 3], ..plane });
         let color = Layout { color: Some(0), count: 4, stride: 4, ..Layout::default() };
-        // Some of the colour's slots come twice, behind the fog coordinate too.
+        // Five slots: the last quad repeats slots of the colour.
         let fog = Layout { fog: Some(4), count: 5, stride: 5, ..color.clone() };
         [all, unit, color, fog, Layout { count: 1, stride: 1, ..Layout::default() }]
     }
 
-    /// A small triangle: sometimes in perspective, sometimes a sliver, sometimes with values that are odd.
+    /// A small triangle: sometimes in perspective, sometimes a sliver, sometimes with infinite values or NaN.
     fn triangle(random: &mut Random, stride: usize) -> ([Vertex; 3], [Vec<f32>; 3]) {
         let size = [1.5, 4.0, 7.9, 12.0, 16.5, 30.0][(random.unit() * 6.0) as usize];
         let at = [0; 2].map(|_| random.between(-4.0, 60.0));
@@ -261,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn a_group_gives_the_bits_of_single_triangles() {
+    fn a_batch_gives_the_bits_of_single_triangles() {
         let mut random = Random(77);
         let mut fragments = 0;
         for round in 0..60 {
@@ -284,10 +288,10 @@ mod tests {
             let draw = |level: Option<Level>, many: bool| {
                 let mut canvas = TestCanvas::with_layout(64, layout.clone(), 1, 64, change);
                 if let Some(level) = level {
-                    canvas.scene = crate::raster::Scene::new(1, 64).at_level(level);
+                    canvas.scene = crate::raster::Scene::new(1, 64, level);
                     canvas.scene.begin_draw(canvas.draw.clone());
                 } else {
-                    canvas.scene.group_nothing();
+                    canvas.scene.batch_nothing();
                 }
                 let builder = canvas.scene.builder().filter(|builder| many && builder.can_batch(list.stride));
                 if let Some(mut builder) = builder {

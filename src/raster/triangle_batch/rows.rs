@@ -1,9 +1,9 @@
-//! The rows of a group's triangles that are too large for masks, a triangle a lane (OpenGL 1.5, section 3.5.1): within 16
-//! by 16 pixels, where the covered pixels of each row begin and end. It is the walk of [`coverage`], with the same whole
-//! numbers, for sixteen triangles at once: an edge crosses a row at a quotient, which goes from row to row by adding its
-//! step and, when the remainder is full, one more.
+//! The rows of a batch's triangles that are too large for masks, a triangle a lane (OpenGL 1.5, section 3.5.1): within 16 by
+//! 16 pixels, where the covered pixels of each row begin and end. It is the scan conversion of [`edges`] in the same
+//! integers, for 16 triangles at once: where an edge crosses a row is a quotient, which is stepped from row to row together
+//! with its remainder.
 //!
-//! [`polygon`]: crate::raster::setup::coverage
+//! [`edges`]: crate::raster::coverage::edges
 
 use super::lanes::I32x16;
 use super::masks::{edge_function, turns};
@@ -14,13 +14,13 @@ use crate::raster::state::Rect;
 /// Rows of a triangle, and columns.
 pub(crate) const ROWS: usize = 16;
 
-/// For each row and triangle: its first covered column, and 256 times the one after its last.
+/// For each row and triangle: its first covered column + 256 times the column after its last.
 pub(crate) type RowEnds = [[u16; GROUP]; ROWS];
 
-/// The covered pixels of a triangle.
+/// The covered pixels of a triangle, row by row.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RowCoverage {
-    /// The pixel that columns and rows count from.
+    /// The pixel that columns and rows are counted from.
     pub x: i32,
     /// Its row.
     pub y: i32,
@@ -31,14 +31,13 @@ pub struct RowCoverage {
 }
 
 impl RowCoverage {
-    /// None yet, of a triangle whose bounding box begins at a pixel and has some rows.
+    /// No pixels yet, for a bounding box that begins at a pixel and has so many rows.
     #[inline]
     pub(crate) const fn new([x, y]: [i32; 2], height: i32) -> Self {
         Self { x, y, used: [0, height as u8], ends: [[0; 2]; ROWS] }
     }
 
-    /// Takes those of a triangle of a group, to be called where they are kept: as many as there may be, since how many
-    /// there are is not to be foreseen.
+    /// Takes the rows of a lane. All 16 are copied: a loop over those in use would end at a branch that cannot be predicted.
     #[inline]
     pub(crate) fn take(&mut self, ends: &RowEnds, lane: usize) {
         for (to, from) in self.ends.iter_mut().zip(ends) {
@@ -46,7 +45,7 @@ impl RowCoverage {
         }
     }
 
-    /// Cuts them down to what lies in a rectangle; how many pixels that is.
+    /// Clips them to a rectangle. Returns how many pixels are left.
     pub(crate) fn cut(&mut self, rect: Rect) -> u64 {
         let column = |at: i32| at.wrapping_sub(self.x).clamp(0, ROWS as i32) as u8;
         let row = |at: i32| at.wrapping_sub(self.y).clamp(0, ROWS as i32) as u8;
