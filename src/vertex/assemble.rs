@@ -1,6 +1,6 @@
 //! Primitive assembly (OpenGL 1.5, section 2.6.1): the ten primitives of Begin/End as a stream of vertices. The
-//! assembler keeps only the ids of the vertices that later ones may need, so a primitive of any length runs over
-//! batches of any cut; what is incomplete at the end is dropped.
+//! assembler keeps the ids of those vertices that later ones may need, so a primitive may have any length and be cut
+//! anywhere into batches; what is incomplete at the end is dropped.
 //!
 //! ```text
 //!   TRIANGLE_STRIP   0 1 2 | 2 1 3 | 2 3 4 ...    the odd ones turned, so that all wind the same way
@@ -42,7 +42,7 @@ enum PrimitiveKind {
     Point,
 }
 
-/// A primitive that can be seen: it has passed outcodes and culling, by positions alone.
+/// A primitive that may be visible: outcodes and culling, by positions alone, have not dropped it.
 #[derive(Clone, Copy, Debug)]
 pub struct VisiblePrimitive {
     ids: [u32; 3],
@@ -109,18 +109,18 @@ impl VisiblePrimitive {
     }
 }
 
-/// Where the assembler collects what can be seen.
+/// Where the assembler puts primitives that may be visible.
 #[derive(Debug)]
 pub struct AssemblyOutput<'a> {
     /// The plan of the vertices.
     pub plan: &'a VertexPlan,
     /// What the sink [culls](PrimitiveSink::culls).
     pub culls: [bool; 2],
-    /// Where stages look at triangles.
+    /// The batch that the cull stage works on.
     pub batch: &'a mut VertexBatch,
-    /// What can be seen.
+    /// Primitives that may be visible.
     pub seen: &'a mut Vec<VisiblePrimitive>,
-    /// What was done.
+    /// What became of the others.
     pub counts: &'a mut VertexCounts,
 }
 
@@ -150,7 +150,7 @@ impl AssemblyOutput<'_> {
         self.seen.push(VisiblePrimitive { ids, kind: PrimitiveKind::Triangle { provoking, edges }, clip });
     }
 
-    /// Triangles that have no vertex in common. Most draws are made of them, so they are looked at many at a time.
+    /// Separate triangles, 64 at a time: most draws are made of them.
     fn triangles(&mut self, pool: &TransformedVertices, triangles: &[[u32; 3]]) {
         let with_edges = self.edges();
         let cull = self.plan.cull(self.culls);
@@ -212,7 +212,7 @@ impl Assembler {
         &mut self.hold[..self.held]
     }
 
-    /// Groups of `N` vertices: the one that vertices of earlier calls begin, if it is complete, and those after it.
+    /// Groups of `N` vertices: the one that earlier calls have begun, if it is complete now, and those after it.
     #[inline]
     fn groups<'a, const N: usize>(&mut self, mut ids: &'a [u32]) -> (Option<[u32; N]>, &'a [[u32; N]]) {
         let mut begun = None;
@@ -313,7 +313,8 @@ impl Assembler {
         self.hold[1] = id;
     }
 
-    /// A polygon's last edge is known only at its end, so the newest vertex waits: held are first, last, newest.
+    /// A polygon's last edge is known only at its end, so a triangle waits for the next vertex: held are the first, the last
+    /// and the newest vertex.
     fn polygon(&mut self, id: u32, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         if self.held < 3 {
             self.hold[self.held] = id;

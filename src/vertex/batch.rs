@@ -1,6 +1,6 @@
-//! A batch of 64 vertices as structures of arrays (OpenGL 1.5, sections 2.7 and 2.8): what the program gave (f32), what
-//! stages work on (positions in f64, colours in f32), and one array a slot of what is handed on. Stages never write to
-//! the input arrays, so a value that is the same for all vertices of a draw is filled in once.
+//! A batch of 64 vertices as a structure of arrays (OpenGL 1.5, sections 2.7 and 2.8): attributes (f32), what stages work
+//! on (positions in f64, colours in f32), and an array for each slot of the varyings. Stages never write to the attributes,
+//! so one that is the same for all vertices of a draw is filled in once.
 
 use crate::fragment::planes::GROUP;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
@@ -16,9 +16,9 @@ pub type F64Lanes = [f64; LANES];
 /// The greatest number of slots of a layout: colours, fog coordinate, coordinates of all units, back colours.
 pub const MAX_SLOTS: usize = 4 + 3 + 1 + 4 * MAX_TEXTURE_UNITS + 4 + 3;
 
-/// Vertices of a batch that is in step.
+/// Vertices of a batch of separate triangles: as many as a triangle batch takes.
 pub const LIST_VERTICES: usize = 3 * GROUP;
-/// How many vertices of a primitive are best taken at a time.
+/// How many vertices of a primitive make a batch.
 #[must_use]
 pub const fn block(mode: PrimitiveMode) -> usize {
     if matches!(mode, PrimitiveMode::Triangles) { LIST_VERTICES } else { LANES }
@@ -54,17 +54,17 @@ pub struct FaceSums {
     pub specular: [Lanes; 3],
 }
 
-/// Triangles of placed vertices, and what becomes of them.
+/// Triangles of transformed vertices, and what culling makes of them.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct CullBatch {
-    /// Where the corners are.
+    /// Positions of the corners.
     pub corners: [[ScreenPosition; LANES]; 3],
     /// What becomes of each triangle: a bit of the cull stage.
     pub(super) fate: [u64; LANES],
     /// How many there are.
     pub n: usize,
-    /// A bit for each triangle that can be seen.
+    /// A bit for each triangle that may be visible.
     pub seen: u64,
     /// Those of them that must be clipped.
     pub clipped: u64,
@@ -132,13 +132,13 @@ pub struct VertexBatch {
     pub faces: [FaceSums; 2],
     /// Texture coordinates of the unit at hand.
     pub coord: [F64Lanes; 4],
-    /// What is handed on, slot by slot, then four arrays for a colour that nobody wants.
+    /// The varyings, slot by slot, then four arrays for a colour that no slot takes.
     pub out: [Lanes; MAX_SLOTS + 4],
-    /// Triangles of placed vertices.
+    /// Triangles of transformed vertices.
     pub triangles: CullBatch,
     /// How many lanes are in use.
     pub n: usize,
-    /// `n` rounded up to a multiple of 16: how many lanes stages compute.
+    /// How many lanes stages compute: `n` rounded up to a multiple of 16.
     pub span: usize,
     /// Whether w is 1 in every position.
     pub w_is_one: bool,

@@ -1,6 +1,6 @@
-//! Which vertices of an indexed draw have been met (OpenGL 1.5, section 2.8). A mesh pays for its vertices, not for its
-//! indices: a chunk of the index list becomes a list of its different vertices, each once, and a list of ids that says
-//! how they are joined.
+//! The vertex cache of indexed draws (OpenGL 1.5, section 2.8): each vertex of a mesh is transformed once, however many
+//! indices name it. A chunk of the index list becomes a list of its different vertices and, for each index, the id of its
+//! vertex.
 
 use super::source::{ElementList, Keys};
 use std::ops::Range;
@@ -9,12 +9,12 @@ use std::ops::Range;
 const CHUNK_VERTICES: u32 = 4096;
 /// Indices of a chunk.
 const CHUNK_INDICES: usize = 6 * CHUNK_VERTICES as usize;
-/// Places of the cache; a vertex has one place, by its index.
-const PLACES: usize = 8192;
-/// Bits of an id of the pool: ids are below [`CHUNK_VERTICES`] plus what a primitive holds.
+/// Entries of the cache; a vertex has one entry, by its index.
+const ENTRIES: usize = 8192;
+/// Bits of a vertex id: ids are below [`CHUNK_VERTICES`] plus what a primitive holds.
 const ID_BITS: u32 = 13;
 
-/// A list of indices as it lies in memory.
+/// A list of indices as it is in memory.
 #[derive(Clone, Copy, Debug)]
 pub struct IndexList<'a> {
     /// The bytes.
@@ -71,37 +71,37 @@ impl ElementList for IndexList<'_> {
 /// Vertices of a source and how an indexed draw joins them.
 #[derive(Clone, Debug)]
 pub struct IndexedChunk<'a> {
-    /// Ids of the pool, vertex after vertex of the primitive.
+    /// The id of the vertex of each index.
     pub ids: &'a [u32],
-    /// Places in the source of the vertices that are new in the pool.
+    /// Elements of the source that are the new vertices, in the order of their ids.
     pub keys: Keys<'a>,
 }
 
-/// Which vertices of a chunk have been met, by index: a direct-mapped cache. A vertex that was pushed out of its place is
-/// transformed again, which changes nothing but time.
+/// A direct-mapped cache of the ids of a chunk's vertices, by index. A vertex that was evicted is transformed again, which
+/// costs only time.
 #[derive(Clone, Debug, Default)]
 pub struct VertexCache {
-    /// Index, then the number of the chunk, then the vertex's id in the pool, from the highest bits down.
-    places: Vec<u64>,
+    /// Index, number of the chunk, and the vertex's id, from the highest bits down.
+    entries: Vec<u64>,
     chunk: u64,
-    /// The chunk's indices as ids of the pool.
+    /// The ids of the chunk's indices.
     ids: Vec<u32>,
-    /// The indices of its vertices, each once.
+    /// The indices of its different vertices.
     keys: Vec<u32>,
-    /// Or from where to where they run, if they are not in the list.
+    /// The same as a range, where the list is empty.
     range: Range<u32>,
 }
 
 impl VertexCache {
-    /// Turns the next indices of a list into ids of a pool that holds `held` vertices. Returns how many were taken.
+    /// Finds ids for the next indices of a list, where the ids below `held` are taken. Returns for how many.
     pub fn next_chunk(&mut self, list: IndexList<'_>, held: u32) -> usize {
         // No more room than the list asks for: a short draw would fill it with zeros for nothing.
         let most = CHUNK_INDICES.min(list.len());
         self.ids.resize(most, 0);
         let range = match list.size {
-            1 => near(list.bytes.as_chunks::<1>().0, held, &mut self.ids),
-            2 => near(list.bytes.as_chunks::<2>().0, held, &mut self.ids),
-            _ => near(list.bytes.as_chunks::<4>().0, held, &mut self.ids),
+            1 => as_range(list.bytes.as_chunks::<1>().0, held, &mut self.ids),
+            2 => as_range(list.bytes.as_chunks::<2>().0, held, &mut self.ids),
+            _ => as_range(list.bytes.as_chunks::<4>().0, held, &mut self.ids),
         };
         if let Some((taken, range)) = range {
             self.ids.truncate(taken);
@@ -110,9 +110,9 @@ impl VertexCache {
             return taken;
         }
         self.chunk = (self.chunk + 1) & u64::from(u32::MAX >> ID_BITS);
-        if self.chunk == 0 || self.places.is_empty() {
-            self.places.clear();
-            self.places.resize(PLACES, 0);
+        if self.chunk == 0 || self.entries.is_empty() {
+            self.entries.clear();
+            self.entries.resize(ENTRIES, 0);
             self.chunk = 1;
         }
         self.keys.resize(most.min(CHUNK_VERTICES as usize), 0);
@@ -127,17 +127,16 @@ impl VertexCache {
         taken
     }
 
-    /// The ids that the next indices of a list have, and the indices of new vertices. Returns how many indices were taken
-    /// and how many vertices there are.
+    /// Finds the ids of the next indices by the cache. Returns for how many, and how many different vertices they have.
     #[inline]
     fn fill<const BYTES: usize>(&mut self, indices: &[[u8; BYTES]], held: u32) -> (usize, usize) {
-        let Some(places) = self.places.first_chunk_mut::<PLACES>() else { return (0, 0) };
+        let Some(entries) = self.entries.first_chunk_mut::<ENTRIES>() else { return (0, 0) };
         let mut vertices = 0;
         for (taken, (id, bytes)) in self.ids.iter_mut().zip(indices).enumerate() {
             let index = number(*bytes);
             let key = u64::from(index) << 32 | self.chunk << ID_BITS;
-            let place = &mut places[index as usize % PLACES];
-            let found = *place ^ key;
+            let entry = &mut entries[index as usize % ENTRIES];
+            let found = *entry ^ key;
             if found < 1 << ID_BITS {
                 *id = found as u32;
                 continue;
@@ -145,7 +144,7 @@ impl VertexCache {
             let Some(new) = self.keys.get_mut(vertices) else { return (taken, vertices) };
             *new = index;
             *id = held + vertices as u32;
-            *place = key | u64::from(*id);
+            *entry = key | u64::from(*id);
             vertices += 1;
         }
         (self.ids.len().min(indices.len()), vertices)
@@ -162,15 +161,15 @@ impl VertexCache {
 /// Indices that are looked at together; a multiple of 3 and 4.
 const BLOCK: usize = 192;
 
-/// Ids for indices that lie near each other, as those of a mesh do: a run of vertices is transformed from one end to the
-/// other, and an id is an index less where the run begins. Returns how many indices were taken and the run; `None` where
-/// the vertices are too many for the indices, or too far apart.
+/// Ids for indices that are close together, as those of a mesh are: a whole range of vertices is transformed, and an id is an
+/// index less the begin of the range. Returns how many indices were taken and the range; `None` where the range has too many
+/// vertices for so few indices.
 #[inline]
-fn near<const BYTES: usize>(indices: &[[u8; BYTES]], held: u32, ids: &mut [u32]) -> Option<(usize, Range<u32>)> {
+fn as_range<const BYTES: usize>(indices: &[[u8; BYTES]], held: u32, ids: &mut [u32]) -> Option<(usize, Range<u32>)> {
     let indices = indices.get(..ids.len()).unwrap_or(indices);
     let block = indices.get(..BLOCK).unwrap_or(indices);
     let (first, last) = (number(*indices.first()?), number(*indices.last()?));
-    // Indices that fall are turned round first.
+    // Falling indices are complemented first.
     let turn = if last < first { u32::MAX } else { 0 };
     let base = block.iter().map(|bytes| number(*bytes) ^ turn).min()?;
     let (mut taken, mut most) = (0, 0);
@@ -180,7 +179,7 @@ fn near<const BYTES: usize>(indices: &[[u8; BYTES]], held: u32, ids: &mut [u32])
             let distance = (number(*bytes) ^ turn).wrapping_sub(base);
             all |= distance;
             greatest = greatest.max(distance as i32);
-            // A distance that is too far is not used.
+            // Ids with too great a distance are not used.
             *id = held.wrapping_add(distance);
         }
         if all >= CHUNK_VERTICES {

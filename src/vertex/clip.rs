@@ -29,7 +29,7 @@ struct ClipCorner {
     /// Whether the edge that starts here is a boundary edge.
     edge: bool,
     point_size: f32,
-    /// Where the slots stand in the arena.
+    /// Where its slots are in the arena.
     slots: usize,
     /// Which of the original vertices it is, if it is one.
     original: Option<u32>,
@@ -64,7 +64,7 @@ impl ClipPlane {
         }
     }
 
-    /// Puts a corner that was computed to lie on the plane exactly there.
+    /// Moves a computed corner exactly onto the plane.
     fn snap_to_plane(self, c: &mut ClipCorner) {
         match self {
             Self::Near => c.clip[2] = -c.clip[3],
@@ -81,9 +81,9 @@ impl ClipPlane {
         }
     }
 
-    /// Puts a corner between a and b on a side of the guard band, both coordinates anew. A corner may be 1e38 pixels away,
-    /// and what is then left of the sum of two such numbers is nothing but its rounding; the line through a and b is known
-    /// better: by products whose errors are known, too.
+    /// Moves a corner between a and b onto a side of the guard band, and computes both its coordinates anew. Corners may be
+    /// 1e38 pixels away, where a weighted sum is nothing but rounding error; products with their errors give the line
+    /// through a and b more precisely.
     fn snap_to_guard_band(self, c: &mut ClipCorner, a: &[f64; 4], b: &[f64; 4], v: &ViewportUniforms) {
         let Self::Guard(i, greatest) = self else { return };
         let other = 1 - i;
@@ -136,7 +136,7 @@ impl EdgeMix {
     }
 }
 
-/// Scratch memory of the clipper.
+/// The clipper's scratch memory.
 #[derive(Clone, Debug, Default)]
 pub struct Clipper {
     polygon: Vec<ClipCorner>,
@@ -316,7 +316,7 @@ impl Clipper {
         ids.iter().filter_map(|id| pool.get(*id)).fold(0, |all, v| all | v.head.outcode)
     }
 
-    /// Writes the polygon's corners as vertices; false where one of them has no place in the window.
+    /// Writes the polygon's corners as vertices; false where one of them has no window position.
     fn finish(&mut self, plan: &VertexPlan, pool: &TransformedVertices) -> bool {
         let stride = plan.layout.stride.min(MAX_SLOTS);
         self.out.clear(stride);
@@ -336,7 +336,7 @@ impl Clipper {
                     }
                 }
             };
-            // A hair beyond the guard band is the rounding of the cut.
+            // A little beyond the guard band is rounding of the cut.
             let placed = head.window.iter().take(2).all(|v| v.abs() <= GUARD_BAND + 0.5) && head.window[2].is_finite();
             if !placed || head.clip[3] <= 0.0 || head.clip[3].is_nan() {
                 return false;

@@ -1,5 +1,5 @@
-//! What a piece of a draw did with vertices and primitives. These sums are kept always: an addition for each batch and for
-//! each primitive that is dropped costs nothing that could be measured.
+//! What became of vertices and primitives. These sums are always kept: an addition for each batch and for each primitive
+//! that is dropped costs nothing that can be measured.
 
 use crate::simd::Counters;
 
@@ -7,10 +7,10 @@ use crate::simd::Counters;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct VertexCounts {
     /// Vertices whose position was transformed.
-    pub placed: u64,
-    /// Vertices that were lit, and whose coordinates were made.
-    pub valued: u64,
-    /// Primitives that can be seen, before clipping.
+    pub positions: u64,
+    /// Vertices whose varyings were computed.
+    pub varyings: u64,
+    /// Primitives that are neither culled nor outside, before clipping.
     pub seen: u64,
     /// Those that had to be clipped.
     pub clipped: u64,
@@ -23,9 +23,9 @@ pub struct VertexCounts {
 impl VertexCounts {
     /// Moves the sums to counters.
     pub fn drain_into(&mut self, counters: &mut Counters) {
-        let Self { placed, valued, seen, clipped, culled, outside } = std::mem::take(self);
-        counters.vertices += placed;
-        counters.vertices_valued += valued;
+        let Self { positions, varyings, seen, clipped, culled, outside } = std::mem::take(self);
+        counters.vertices += positions;
+        counters.vertices_valued += varyings;
         counters.primitives += seen;
         counters.clipped += clipped;
         counters.culled += culled;

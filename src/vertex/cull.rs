@@ -1,5 +1,5 @@
-//! Which triangles can be seen (OpenGL 1.5, sections 2.12 and 2.13.1): outcodes and facing of 64 triangles at once, by the
-//! places of their corners alone.
+//! Culling (OpenGL 1.5, sections 2.12 and 2.13.1): outcodes and facing of 64 triangles at once, by the positions of their
+//! corners alone.
 
 use super::batch::{CullBatch, VertexBatch};
 use super::stages::VertFn;
@@ -7,8 +7,8 @@ use super::uniforms::VertexUniforms;
 use crate::raster::vertex::outcode;
 use crate::simd::{LANES, stage};
 
-/// In the stage's argument, beside the outcode bits that make a triangle go through the clipper: triangles whose area in the
-/// window is positive, or is not, are culled.
+/// Bits of the stage's argument, beside the outcode bits that make a triangle go through the clipper: triangles whose window
+/// area is positive are culled; those whose area is not are culled.
 pub const CULLS: [u32; 2] = [1 << 16, 1 << 17];
 
 const SEEN: u64 = 1;
@@ -24,7 +24,7 @@ pub fn is_outside(all: u64, any: u64) -> bool {
     (all & ALL != 0) | (any & ANY != 0)
 }
 
-/// A bit for each lane that has one of some bits.
+/// A bit for each lane whose fate has a bit.
 #[inline(always)]
 fn lanes_with(fate: &[u64; LANES], bit: u64) -> u64 {
     let mut bits = 0;

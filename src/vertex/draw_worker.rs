@@ -1,7 +1,6 @@
 //! A draw from a source of vertices (OpenGL 1.5, section 2.8): consecutive ones, or those that a list of indices names. A
-//! [`DrawWorker`] is what one thread needs for it. A large draw is cut into [`SplitSourceDraw`], which lanes work on side by side: a part
-//! of a strip begins with the two vertices that its first triangle shares with the part before, all others have no vertex
-//! in common that matters.
+//! [`DrawWorker`] is what one thread needs for it. A large draw is a [`SplitSourceDraw`], whose parts are drawn on several
+//! threads: a part of a strip begins with the two vertices that its first triangle shares with the part before.
 
 use super::cache::{IndexList, VertexCache};
 use super::hand_on::TakePrimitives;
@@ -14,15 +13,14 @@ use crate::state::primitive::PrimitiveMode;
 use std::ops::Range;
 
 /// Primitives that are handed on before the sink is asked whether it is full.
-const FEED: usize = 256;
+const HAND_ON: usize = 256;
 /// Parts have a multiple of so many vertices: whole triangles, quadrilaterals and batches.
 const UNIT: usize = 192;
-/// Vertices of a part at most: a part and its primitives stay in a second-level cache.
+/// Most vertices of a part: it and its primitives stay in a second-level cache.
 const MOST: usize = 16 * UNIT;
-/// The same of an indexed draw, whose parts have vertices in common that each of them computes: of a mesh those of a row
-/// or two.
+/// Most indices of a part. Vertices that two parts have in common are computed twice: of a mesh those of a row or two.
 const MOST_INDICES: usize = 64 * UNIT;
-/// Vertices of a part at least, where there are not very many threads.
+/// Least vertices of a part, unless there are very many threads.
 const LEAST: usize = 8 * UNIT;
 /// Vertices from which on a draw is worth cutting: starting a thread takes about as long as drawing a thousand triangles
 /// that are all culled.
@@ -50,13 +48,13 @@ pub struct DrawWorker {
 }
 
 impl DrawWorker {
-    /// Takes over from another lane what is the same for all vertices of a draw.
+    /// Copies from another worker what is the same for all vertices of a draw.
     pub fn prepare(&mut self, plan: &VertexPlan, like: &Self) {
         self.processor.pool.reset(plan);
         self.processor.batch.clone_from(&like.processor.batch);
     }
 
-    /// Draws. Every now and then `room` may make room in the sink.
+    /// Draws. `room` is called every few hundred primitives, and may make room in the sink.
     pub fn draw<T: TakePrimitives, S: VertexSource>(
         &mut self,
         draw: &SourceDraw<'_, S>,
@@ -91,7 +89,7 @@ impl DrawWorker {
         let cut = draw.cut.clamp(1, LANES) as u32;
         let mut at = range.start;
         while at < range.end {
-            // Batches end where a source may have its own batches end.
+            // Batches end where the blocks of a source do.
             let n = cut.min(block - (at - range.start) % block).min(range.end - at);
             let keys = Keys::Range(at..at + n);
             draw.source.positions(&keys, &mut processor.batch);
@@ -121,10 +119,10 @@ impl DrawWorker {
             let taken = cache.next_chunk(list, processor.held());
             processor.elements(draw.plan, draw.source, cache.elements(), draw.cut, culls);
             list = list.part(taken, usize::MAX);
-            // A little at a time, so that the sink stays as small as it wants to be.
+            // A few hundred at a time, so that the sink can be flushed in between.
             let mut done = 0;
-            while processor.hand_on(draw.plan, done, FEED, sink) > done {
-                done += FEED;
+            while processor.hand_on(draw.plan, done, HAND_ON, sink) > done {
+                done += HAND_ON;
                 room(sink);
             }
             processor.clear();
@@ -132,19 +130,19 @@ impl DrawWorker {
     }
 }
 
-/// A draw in parts, for several lanes.
+/// A draw that is split into parts.
 #[derive(Debug)]
 pub struct SplitSourceDraw<'a, S> {
     draw: SourceDraw<'a, S>,
     order: ElementOrder<IndexList<'a>>,
     /// Vertices of a part.
     each: usize,
-    /// How many vertices of the next part each part has too.
+    /// How many vertices two parts share.
     shared: usize,
 }
 
 impl<'a, S: VertexSource> SplitSourceDraw<'a, S> {
-    /// Cuts a draw for a number of threads, if that is possible.
+    /// Splits a draw for a number of threads, if that is possible and worth it; otherwise gives it back.
     pub fn new(
         draw: SourceDraw<'a, S>,
         order: ElementOrder<IndexList<'a>>,
@@ -163,7 +161,7 @@ impl<'a, S: VertexSource> SplitSourceDraw<'a, S> {
         if threads < 2 || order.len() < WORTH_CUTTING {
             return Err((draw, order));
         }
-        // Many threads take smaller parts, so that what is set up at a time stays within some ten megabytes.
+        // More threads take smaller parts, so that what is set up at a time stays within some ten megabytes.
         let most = if matches!(order, ElementOrder::List(_)) { MOST_INDICES } else { MOST };
         let most = (6 * most / threads).clamp(UNIT, most);
         let each = (order.len() / (4 * threads)).max(LEAST).min(most).next_multiple_of(UNIT);
@@ -178,8 +176,8 @@ impl<S: VertexSource, P: FragmentProgram> SplitDraw<P> for SplitSourceDraw<'_, S
         self.order.len().saturating_sub(self.shared).div_ceil(self.each)
     }
 
-    fn set_up(&self, piece: usize, worker: &mut DrawWorker, to: &mut PrimitiveBuilder<'_, P>) {
-        let from = piece * self.each;
+    fn set_up(&self, part: usize, worker: &mut DrawWorker, to: &mut PrimitiveBuilder<'_, P>) {
+        let from = part * self.each;
         let order = self.order.part(from, from + self.each + self.shared);
         worker.draw(&self.draw, order, to, |_| {});
     }

@@ -43,7 +43,7 @@ impl<P: FragmentProgram> TakePrimitives for Scene<P> {
 }
 
 impl<P: FragmentProgram> TakePrimitives for PrimitiveBuilder<'_, P> {
-    /// Triangles that need no more than their vertices go a group at a time.
+    /// Triangles that need no clipping are queued up to 16 at a time.
     fn take(
         &mut self,
         primitives: &[VisiblePrimitive],

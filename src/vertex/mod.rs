@@ -1,11 +1,10 @@
-//! The vertex pipe (OpenGL 1.5, sections 2.6 to 2.14): from vertices as a program gives them to triangles, lines and
+//! The vertex pipeline (OpenGL 1.5, sections 2.6 to 2.14): from vertices as a program gives them to triangles, lines and
 //! points in clip and window coordinates.
 //!
-//! 64 vertices stand in a [`VertexBatch`](batch); a [`VertexPlan`] of the stages that the
-//! state needs takes them through transformation, lighting and texture coordinate generation; the results stand in a
-//! [`TransformedVertices`], where the [`Assembler`](assemble::Assembler) joins them into primitives and
-//! [`Clipper`] cuts those that leave the view volume. What comes out goes to an [`PrimitiveSink`]. A
-//! [`VertexProcessor`](processor::VertexProcessor) leads them through all that.
+//! 64 vertices make a [`VertexBatch`](batch). A [`plan`] lists the stages that the state needs: transformation, lighting,
+//! texture coordinate generation. The results are [`transformed`] vertices, which the [assembler](assemble) joins into
+//! primitives; those that leave the view volume are [clipped](clip). What is left goes to a
+//! [sink](crate::raster::PrimitiveSink). A [`processor`] runs all that.
 
 pub mod assemble;
 pub mod batch;

@@ -1,6 +1,6 @@
-//! The vertex pipe as the context holds it: vertices go in one by one (Begin/End) or in whole batches (arrays),
-//! primitives come out. Vertices wait until 64 are there; a new Begin/End pair with the same state joins the ones that
-//! wait, so that many small primitives fill batches as one large one does. The cut into batches changes no bit.
+//! The vertex pipeline as the context holds it: vertices go in one by one (Begin/End) or in whole batches (arrays),
+//! primitives come out. Vertices wait until 64 are there. Those of the next Begin/End pair join them while the state is the
+//! same, so that many small primitives fill batches as one large one does. Where batches are cut changes no bit.
 
 use super::batch::{self, LIST_VERTICES, needs};
 use super::draw_worker::{DrawWorker, WORTH_CUTTING};
@@ -16,7 +16,7 @@ use crate::state::State;
 use crate::state::current::Current;
 use crate::state::primitive::PrimitiveMode;
 
-/// A piece of a primitive in the waiting batch.
+/// A primitive, or a part of one, in the waiting batch.
 #[derive(Clone, Copy, Debug)]
 struct PrimitiveRange {
     mode: PrimitiveMode,
@@ -28,31 +28,32 @@ struct PrimitiveRange {
     until: u32,
 }
 
-/// The vertex pipe.
+/// The vertex pipeline.
 #[derive(Clone, Debug)]
 pub struct VertexPipeline {
-    /// The plan that waiting vertices run by.
+    /// The plan of the waiting vertices.
     pub plan: VertexPlan,
     /// Vertices that wait, and those that the primitive still needs.
     pub worker: DrawWorker,
     cut: usize,
-    /// With how many vertices the batch at hand is full: as many as `cut`, or fewer so that triangles are in step.
+    /// With how many vertices the batch is full: `cut`, or fewer so that it holds whole triangles.
     limit: usize,
     ranges: Vec<PrimitiveRange>,
+    /// Whether a primitive has begun and not ended.
     inside: bool,
-    /// Vertices before those that wait, all of one primitive: a long one is collected for several threads.
+    /// Collected vertices of one long primitive, before those that wait: several threads may share them.
     store: VertexStore,
 }
 
-/// How many vertices are collected at most; a multiple of 3, 4 and 64.
+/// Most vertices that are collected; a multiple of 3, 4 and 64.
 const MOST_COLLECTED: usize = 256 * 192;
-/// Vertices of a piece for a thread that walks; a multiple of 3, 4 and 64.
-const PIECE: usize = 24 * 192;
-/// How many pieces of primitives may wait, so that empty Begin/End pairs do not pile up.
+/// Vertices of a setup job for the raster thread; a multiple of 3, 4 and 64.
+const JOB_VERTICES: usize = 24 * 192;
+/// Most ranges that wait: empty Begin/End pairs must not pile up.
 const MOST_RANGES: usize = 64;
 
 impl VertexPipeline {
-    /// A pipe with no vertices. `cut` limits how many vertices make a batch, for tests that compare cuts.
+    /// A pipeline without vertices. `cut` limits how many make a batch, for tests that compare cuts.
     #[must_use]
     pub fn new(level: Level, cut: usize) -> Self {
         Self {
@@ -72,7 +73,7 @@ impl VertexPipeline {
         self.cut
     }
 
-    /// Whether vertices wait, or a primitive is under way.
+    /// Whether vertices wait, or a primitive has begun.
     #[must_use]
     pub fn is_waiting(&self) -> bool {
         !self.ranges.is_empty()
@@ -81,7 +82,7 @@ impl VertexPipeline {
     /// Takes a state; vertices that wait must have been [run](Self::run) before.
     pub fn rebuild(&mut self, state: &State, layout: &Layout, wants: Wants) {
         if self.inside {
-            // A material, or a q that is not 1, between Begin and End: vertices that a strip holds stay as they are.
+            // A material, or a q that is not 1, between Begin and End: vertices that a strip still needs keep their values.
             self.worker.processor.pool.lay_out(&self.plan.layout, layout);
             self.plan.build(state, layout, wants);
         } else {
@@ -103,7 +104,7 @@ impl VertexPipeline {
         self.ranges.push(PrimitiveRange { mode, begins: true, ends: false, until: n as u32 });
     }
 
-    /// Appends a vertex if the batch is not full with it; false says that nothing has been done.
+    /// Appends a vertex unless the batch would be full with it; false says that nothing has been done.
     #[inline(always)]
     pub fn vertex_at_once(&mut self, position: [f32; 4], current: &Current) -> bool {
         let batch = &mut self.worker.processor.batch;
@@ -133,8 +134,8 @@ impl VertexPipeline {
         self.ranges.len() >= MOST_RANGES || self.worker.processor.batch.n >= self.limit
     }
 
-    /// Collects the full batch instead of running it: vertices of one long primitive, of which any three or four in a row
-    /// are a triangle or a quadrilateral. False where they are not.
+    /// Collects the full batch instead of running it, if its vertices are separate triangles or quadrilaterals of one long
+    /// primitive. False if they are not.
     pub fn collect(&mut self) -> bool {
         let Self { plan, worker: DrawWorker { processor, .. }, store, ranges, .. } = self;
         let [
@@ -145,7 +146,7 @@ impl VertexPipeline {
         else {
             return false;
         };
-        // Between two triangles the primitive might as well begin anew.
+        // Between two triangles the primitive may as well begin anew.
         *begins |= processor.is_between();
         let batch = &mut processor.batch;
         if !*begins || batch.n != batch::block(*mode) || plan.needs & needs::EDGE != 0 {
@@ -167,15 +168,15 @@ impl VertexPipeline {
         !self.store.is_empty()
     }
 
-    /// What was collected as a piece for another thread, if it is enough.
-    pub fn take_setup_job<P: FragmentProgram>(&mut self, pieces: &SetupJobPool) -> Option<SetupFn<P>> {
+    /// What was collected, as a job for another thread, if it is enough.
+    pub fn take_setup_job<P: FragmentProgram>(&mut self, jobs: &SetupJobPool) -> Option<SetupFn<P>> {
         let mode = self.ranges.first()?.mode;
-        let enough = self.store.len() >= PIECE;
-        enough.then(|| pieces.make(&self.plan, mode, self.cut, &mut self.store))
+        let enough = self.store.len() >= JOB_VERTICES;
+        enough.then(|| jobs.make(&self.plan, mode, self.cut, &mut self.store))
     }
 
-    /// What was collected, if it is enough to be drawn by itself: whole triangles and quadrilaterals. The primitive goes
-    /// on as if it had just begun, unless it has ended.
+    /// What was collected, if it is enough for a draw of its own. The primitive goes on as if it had just begun, unless it
+    /// has ended.
     pub fn take_collected(&mut self) -> Option<(PrimitiveMode, VertexStore)> {
         let PrimitiveRange { mode, ends, .. } = *self.ranges.first()?;
         if self.store.len() < if ends { WORTH_CUTTING } else { MOST_COLLECTED } {
@@ -192,7 +193,7 @@ impl VertexPipeline {
         Some((mode, std::mem::take(&mut self.store)))
     }
 
-    /// Gives the memory of what was collected back.
+    /// Takes the memory of a store back.
     pub fn give_back(&mut self, mut store: VertexStore) {
         store.clear(0, LANES);
         self.store = store;
@@ -206,7 +207,7 @@ impl VertexPipeline {
         self.run_batch(sink);
     }
 
-    /// Runs what was collected; the batch that waits stays.
+    /// Runs the collected vertices; those in the batch go on waiting.
     fn run_collected<S: TakePrimitives>(&mut self, sink: &mut S) {
         let (ranges, inside) = (self.ranges.clone(), self.inside);
         let store = std::mem::take(&mut self.store);
@@ -247,7 +248,7 @@ impl VertexPipeline {
         self.limit = cut;
         if let Some(mode) = open {
             if mode == PrimitiveMode::Triangles && cut == LANES {
-                // Where vertices are left over, the batch ends so that none will be.
+                // The next batch ends with a whole triangle.
                 let waiting = processor.waiting();
                 self.limit = if waiting == 0 { LIST_VERTICES } else { cut - (cut + waiting) % 3 };
             }
@@ -255,7 +256,7 @@ impl VertexPipeline {
         }
     }
 
-    /// Makes primitives of the batch, which has been placed.
+    /// Makes primitives of the batch, whose positions have been transformed.
     fn assemble<S: TakePrimitives>(
         plan: &VertexPlan,
         processor: &mut VertexProcessor,

@@ -1,6 +1,6 @@
 //! From the state to a vertex plan (OpenGL 1.5, chapter 2 from 2.11 on): which stages the draw needs, with which
-//! numbers. A stage whose result no slot takes is not in the list: no eye coordinates without lighting, generation, fog
-//! or user planes that use them, no normal without a reader, no term of lighting that is black.
+//! uniforms. A stage whose result nothing needs is left out: no eye coordinates unless lighting, generation, fog or user
+//! planes read them, no normal without a reader, no term of lighting that is black.
 
 use super::batch::{MAX_SLOTS, VertexBatch, needs};
 use super::cull::{CULL, CULLS};
@@ -33,19 +33,19 @@ pub struct Wants {
     pub edges: bool,
 }
 
-/// The stages of a state and the numbers they work with.
+/// The stages of a state and the uniforms that they work with.
 #[derive(Clone, Debug)]
 pub struct VertexPlan {
-    /// The stages: those that place a vertex, then those that give it its values.
+    /// The stages: those of the position, then those of the varyings.
     pub plan: Plan<VertFn>,
-    /// How many stages place a vertex: position, outcode, point size. The others run only for vertices that something
-    /// visible uses.
+    /// How many stages are of the position: clip and window coordinates, outcode, point size. The others run only for
+    /// vertices of primitives that may be visible.
     pub position_stages: usize,
-    /// Which triangles can be seen.
+    /// The stage that culls triangles.
     cull: Step<VertFn>,
-    /// Before that, in a batch that is in step: where their corners are.
+    /// The stage before it for a batch of separate triangles: the positions of their corners.
     pub corner_positions: Step<VertFn>,
-    /// The numbers.
+    /// The uniforms.
     pub uniforms: VertexUniforms,
     /// The attributes that the stages read, bits of [`needs`].
     pub needs: u32,
@@ -55,11 +55,11 @@ pub struct VertexPlan {
     pub flat: bool,
     /// Outcode bits that make a triangle go through the clipper.
     pub clip_mask: u32,
-    /// Where the second half of the list is collected: what it needs of the first half is known at its end.
+    /// Scratch for the second half of the list, which is built first: it decides what the first half must compute.
     tail: Vec<Step<VertFn>>,
 }
 
-/// What the plan found out that it needs from the transformation.
+/// What the second half of the list needs from the first.
 #[derive(Default)]
 struct Requirements {
     eye: bool,
@@ -68,13 +68,13 @@ struct Requirements {
     reflection: bool,
 }
 
-/// A step of a stage that is told nothing.
+/// The step of a stage without an argument.
 fn step(stage: &Stage<VertFn>, level: Level) -> Step<VertFn> {
     stage.step(level, 0)
 }
 
 impl VertexPlan {
-    /// Which triangles can be seen where the sink [culls](super::PrimitiveSink::culls) some.
+    /// The stage that culls triangles, for what the sink [culls](crate::raster::PrimitiveSink::culls).
     #[must_use]
     pub fn cull(&self, culls: [bool; 2]) -> Step<VertFn> {
         let [positive, other] = [0, 1].map(|k: usize| if culls[k] { CULLS[k] } else { 0 });
@@ -93,9 +93,10 @@ impl VertexPlan {
         }
     }
 
-    /// The plan of nothing.
+    /// The plan of no state, for an instruction set or the highest one that the processor has.
     #[must_use]
     pub fn new(level: Level) -> Self {
+        let level = level.at_most_available();
         Self {
             plan: Plan::new(level),
             position_stages: 0,
@@ -201,8 +202,7 @@ impl VertexPlan {
         }
     }
 
-    /// The stages that place a vertex; the rest of the list does not read what they leave behind, except where every
-    /// vertex of a batch runs through both.
+    /// The stages of the position. The others read what these leave in the batch only if all its vertices run through both.
     fn position_stages(&mut self, state: &State) {
         let p = &state.point;
         self.uniforms.point = [p.size, p.size_min, p.size_max];
@@ -379,8 +379,8 @@ fn planes(unit: &Unit) -> [[f64; 4]; 4] {
     })
 }
 
-/// A texture matrix that moves a repeating texture by many whole periods (a scroll that has run for hours) moves it as
-/// well without them, and f32 slots then keep the fraction. Only where q stays as it is.
+/// The texture matrix without whole periods of a repeating texture in its translation, so that f32 slots keep the fraction
+/// of a scroll that has run for hours. Only where the matrix leaves q as it is.
 fn without_whole_periods(mut m: DMat4, slots: UnitSlots) -> DMat4 {
     if m.row(3).to_array() != [0.0, 0.0, 0.0, 1.0] || slots.cube {
         return m;

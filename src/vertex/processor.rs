@@ -1,8 +1,7 @@
-//! A piece of a draw on its way from vertices to primitives (OpenGL 1.5, sections 2.6 to 2.14). Vertices are *placed*
-//! first: position, window position, outcode. The assembler joins them and keeps the primitives that can be seen; only
-//! the vertices of those get their *values* (lights, texture coordinates, colours), and then the primitives are handed
-//! on, in the order in which they were issued. What nobody sees costs its positions and no more, and since a vertex
-//! depends on nothing but itself, no bit changes.
+//! From vertices to primitives (OpenGL 1.5, sections 2.6 to 2.14), a part of a draw at a time. Positions are transformed
+//! first: clip and window coordinates, outcode. The assembler joins the vertices and keeps the primitives that may be
+//! visible; only the vertices of those get their varyings (lighting, texture coordinates, colours). Then the primitives are
+//! handed on in issue order. A vertex depends on nothing but itself, so leaving one out changes no bit.
 
 use super::assemble::{Assembler, AssemblyOutput, VisiblePrimitive};
 use super::batch::VertexBatch;
@@ -16,7 +15,7 @@ use super::transformed::{MAX_VERTICES, TransformedVertices};
 use crate::simd::LANES;
 use crate::state::primitive::PrimitiveMode;
 
-/// Vertices and primitives under way.
+/// Vertices and primitives of a part of a draw.
 #[derive(Clone, Debug)]
 pub struct VertexProcessor {
     /// The batch that stages work on.
@@ -25,9 +24,9 @@ pub struct VertexProcessor {
     assembler: Assembler,
     clipper: Clipper,
     seen: Vec<VisiblePrimitive>,
-    /// What was done, for those who ask.
+    /// What became of vertices and primitives.
     pub counts: VertexCounts,
-    /// Whether each vertex of the pool is used by something seen.
+    /// Whether each vertex is used by a primitive that may be visible.
     used: Vec<bool>,
 }
 
@@ -51,13 +50,13 @@ impl VertexProcessor {
         self.assembler.begin(mode);
     }
 
-    /// Assembles vertices of the pool.
+    /// Assembles transformed vertices.
     pub fn feed(&mut self, plan: &VertexPlan, culls: [bool; 2], ids: &[u32]) {
         let Self { assembler, pool, batch, seen, counts, .. } = self;
         assembler.feed(ids, pool, &mut AssemblyOutput { plan, culls, batch, seen, counts });
     }
 
-    /// Assembles the vertices of the pool from one on: those of a batch.
+    /// Assembles the transformed vertices from `first` on.
     pub fn feed_batch(&mut self, plan: &VertexPlan, culls: [bool; 2], first: u32) {
         self.feed(plan, culls, consecutive(first, self.held()));
     }
@@ -68,51 +67,51 @@ impl VertexProcessor {
         assembler.end(pool, &mut AssemblyOutput { plan, culls, batch, seen, counts });
     }
 
-    /// Whether no vertex waits for others.
+    /// Whether no vertex waits for others of its primitive.
     #[must_use]
     pub fn is_between(&mut self) -> bool {
         self.waiting() == 0
     }
 
-    /// How many vertices wait for others.
+    /// How many vertices wait for others of their primitive.
     #[must_use]
     pub fn waiting(&mut self) -> usize {
         self.assembler.held().len()
     }
 
-    /// How many vertices the pool holds.
+    /// How many transformed vertices there are.
     #[must_use]
     pub fn held(&self) -> u32 {
         self.pool.len() as u32
     }
 
-    /// Places the vertices of the batch.
+    /// Transforms the positions of the batch.
     pub fn transform_positions(&mut self, plan: &VertexPlan) {
         let (places, _) = plan.plan.steps.split_at(plan.position_stages.min(plan.plan.steps.len()));
         plan.run(places, &mut self.batch);
-        self.counts.placed += self.batch.n as u64;
+        self.counts.positions += self.batch.n as u64;
     }
 
-    /// Appends the vertices of the batch to the pool; the id of the first.
+    /// Appends the batch to the transformed vertices. Returns the id of the first.
     pub fn append(&mut self) -> u32 {
         let first = self.held();
         self.pool.append(&self.batch);
         first
     }
 
-    /// Gives the vertices of the batch, whose first has an id in the pool, their values, if something needs them.
+    /// Computes the varyings of the batch, whose first vertex has the id `first`, if a primitive needs them.
     pub fn compute_varyings(&mut self, plan: &VertexPlan, first: u32) {
         if self.seen.is_empty() && self.assembler.held().is_empty() {
             return;
         }
         let steps = plan.plan.steps.get(plan.position_stages..).unwrap_or_default();
         plan.run(steps, &mut self.batch);
-        self.counts.valued += self.batch.n as u64;
+        self.counts.varyings += self.batch.n as u64;
         self.pool.fill(&self.batch, first..first + self.batch.n as u32);
     }
 
-    /// Places the vertices of elements, assembles them and gives those their values that can be seen. A batch is cut after
-    /// `cut` vertices.
+    /// Transforms, assembles, and computes the varyings of the vertices of an indexed draw that are needed. A batch is cut
+    /// after `cut` vertices.
     pub fn elements<S: VertexSource>(
         &mut self,
         plan: &VertexPlan,
@@ -134,13 +133,13 @@ impl VertexProcessor {
         }
     }
 
-    /// Gives those vertices of the pool from `first` on their values that something needs. They run through all stages,
-    /// since their batches are others than those that they were placed in. `keys` are their places in the source.
+    /// Computes the varyings of those vertices from `first` on that a primitive needs. They run through all stages again,
+    /// since their batches are others than those of the positions. `keys` says which elements of the source they are.
     fn compute_used_varyings<S: VertexSource>(&mut self, plan: &VertexPlan, source: &S, first: u32, keys: &Keys<'_>) {
         self.used.clear();
         self.used.resize(MAX_VERTICES, false);
         if let Some(used) = self.used.first_chunk_mut::<MAX_VERTICES>() {
-            // What was held before comes out far behind the others.
+            // Ids below `first` wrap around to the end, which is not looked at.
             let mut mark = |id: u32| used[id.wrapping_sub(first) as usize % MAX_VERTICES] = true;
             self.seen.iter().for_each(|primitive| primitive.ids().into_iter().for_each(&mut mark));
             self.assembler.held().iter().for_each(|id| mark(*id));
@@ -153,20 +152,20 @@ impl VertexProcessor {
                 n += 1;
             }
             if n == LANES || (i == last && n > 0) {
-                // Neighbours are read faster.
+                // A range is read faster than a list.
                 let whole = matches!(keys, Keys::Range(_)) && at[n - 1] - at[0] == n as u32 - 1;
                 let keys = if whole { Keys::Range(of[0]..of[0] + n as u32) } else { Keys::List(&of[..n]) };
                 source.positions(&keys, &mut self.batch);
                 source.attributes(&keys, &mut self.batch);
                 plan.run(&plan.plan.steps, &mut self.batch);
-                self.counts.valued += n as u64;
+                self.counts.varyings += n as u64;
                 self.pool.fill(&self.batch, at.into_iter().take(n).map(|at| first + at));
                 n = 0;
             }
         }
     }
 
-    /// Hands on some of what was seen, from a primitive on; how many primitives were seen.
+    /// Hands on at most so many visible primitives, from one on. Returns how many there are in all.
     pub fn hand_on<S: TakePrimitives>(&mut self, plan: &VertexPlan, from: usize, most: usize, sink: &mut S) -> usize {
         let until = from.saturating_add(most).min(self.seen.len());
         let primitives = self.seen.get(from..until).unwrap_or_default();
@@ -174,7 +173,7 @@ impl VertexProcessor {
         self.seen.len()
     }
 
-    /// Forgets what was seen and all vertices but those that the primitive still needs.
+    /// Forgets the primitives and all vertices but those that the assembler still needs.
     pub fn clear(&mut self) {
         self.counts.seen += self.seen.len() as u64;
         self.counts.clipped += self.seen.iter().filter(|primitive| primitive.clips()).count() as u64;
@@ -183,7 +182,7 @@ impl VertexProcessor {
     }
 }
 
-/// What a primitive may hold from the batch before, and a batch.
+/// Ids of the vertices that a primitive may still need from the batch before, and of a batch.
 const IDS: [u32; 4 + LANES] = {
     let mut ids = [0; 4 + LANES];
     let mut i = 0;
@@ -194,7 +193,7 @@ const IDS: [u32; 4 + LANES] = {
     ids
 };
 
-/// The ids from one to before another.
+/// The ids `from..until`.
 pub(super) fn consecutive(from: u32, until: u32) -> &'static [u32] {
     static CONSECUTIVE: [u32; 4 + LANES] = IDS;
     CONSECUTIVE.get(from as usize..until as usize).unwrap_or(&[])

@@ -1,4 +1,4 @@
-//! A piece of a long Begin/End that another thread is to set up: vertices as they were given, and all that is needed to make
+//! A part of a long Begin/End that the raster thread sets up: vertices with their attributes, and all that is needed to make
 //! primitives of them.
 
 use super::draw_worker::{DrawWorker, SourceDraw};
@@ -9,7 +9,7 @@ use crate::simd::{LANES, Level};
 use crate::state::primitive::PrimitiveMode;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// A piece.
+/// Vertices to be set up, and what a thread needs for it.
 #[derive(Clone, Debug)]
 pub struct SetupJob {
     plan: VertexPlan,
@@ -25,12 +25,12 @@ pub struct SetupJob {
 pub struct SetupJobPool(Arc<Mutex<Vec<SetupJob>>>);
 
 impl SetupJobPool {
-    /// The pieces that lie there.
+    /// The free jobs.
     pub fn idle(&self) -> MutexGuard<'_, Vec<SetupJob>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Makes a piece of whole primitives: `store` is swapped for an empty one.
+    /// Makes a job of the whole primitives in `store`, which is swapped for an empty one.
     #[must_use]
     pub fn make<P: FragmentProgram>(
         &self,
@@ -43,15 +43,15 @@ impl SetupJobPool {
             let plan = VertexPlan::new(Level::Baseline);
             SetupJob { plan, mode, cut, store: VertexStore::default(), worker: DrawWorker::default() }
         };
-        let mut piece = self.idle().pop().unwrap_or_else(new);
-        piece.plan.clone_from(plan);
-        (piece.mode, piece.cut) = (mode, cut);
-        std::mem::swap(&mut piece.store, store);
+        let mut job = self.idle().pop().unwrap_or_else(new);
+        job.plan.clone_from(plan);
+        (job.mode, job.cut) = (mode, cut);
+        std::mem::swap(&mut job.store, store);
         store.clear(0, LANES);
         let idle = self.clone();
         Box::new(move |to| {
-            piece.set_up(to);
-            idle.idle().push(piece);
+            job.set_up(to);
+            idle.idle().push(job);
         })
     }
 }

@@ -4,16 +4,16 @@ use super::batch::{self, VertexBatch};
 use crate::state::primitive::PrimitiveMode;
 use std::ops::Range;
 
-/// Some elements of a source in an order: all from one to another, or those of a list.
+/// Elements of a source in the order of a draw: a range, or a list.
 #[derive(Clone, Debug)]
 pub enum ElementOrder<L> {
-    /// One after the other.
+    /// Consecutive ones.
     Range(Range<u32>),
     /// Those of a list.
     List(L),
 }
 
-/// A list of elements, by their places in the source.
+/// A list of elements, by their numbers in the source.
 pub trait ElementList: Copy {
     /// How many there are.
     fn count(self) -> usize;
@@ -55,7 +55,7 @@ impl<L: ElementList> ElementOrder<L> {
     }
 }
 
-/// Some elements of a source, each of which can be asked for.
+/// Some elements of a source, in memory.
 pub type Keys<'a> = ElementOrder<&'a [u32]>;
 
 impl Keys<'_> {
@@ -72,11 +72,11 @@ impl Keys<'_> {
 
 /// Where vertices come from: arrays, or what Begin and End have collected.
 pub trait VertexSource: Sync {
-    /// Fills the batch with positions and edge flags of some elements, at most 64.
+    /// Fills a batch with the positions and edge flags of at most 64 elements.
     fn positions(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
-    /// Fills the batch with all other attributes of some elements.
+    /// Fills a batch with all other attributes of the elements.
     fn attributes(&self, keys: &Keys<'_>, batch: &mut VertexBatch);
-    /// How many vertices of a primitive are best taken at a time.
+    /// How many vertices of a primitive make a batch.
     fn block(&self, mode: PrimitiveMode) -> usize {
         batch::block(mode)
     }

@@ -1,5 +1,5 @@
-//! Processed vertices waiting to be assembled: the output of the vertex stages, lane by lane turned into one record a
-//! vertex. The vertices that a strip, fan or loop still needs when a batch ends move to the front of the pool.
+//! Transformed vertices waiting to be assembled: the output of the vertex stages, transposed from lanes into one record a
+//! vertex. When a batch ends, the vertices that a strip, fan or loop still needs move to the front.
 
 use super::batch::VertexBatch;
 use super::plan::VertexPlan;
@@ -8,20 +8,20 @@ use crate::limits::MAX_CLIP_PLANES;
 use crate::raster::vertex::{ScreenPosition, Vertex, VertexRef, Vertices};
 use crate::simd::LANES;
 
-/// Vertices of a pool at most; ids are taken modulo this number.
+/// Most vertices; ids are taken modulo this number.
 pub const MAX_VERTICES: usize = 8192;
 
-/// Processed vertices.
+/// Transformed vertices, by id.
 #[derive(Clone, Debug, Default)]
 pub struct TransformedVertices {
     /// How many vertices there are.
     count: usize,
-    /// What decides over most triangles, close together: facing and outcodes are found without touching the rest. Always
-    /// as long as a pool may be.
+    /// Window positions and outcodes, which decide over most triangles, apart from the rest. Empty, or [`MAX_VERTICES`]
+    /// long.
     screen: Vec<ScreenPosition>,
     /// Edge flags.
     edges: Vec<bool>,
-    /// Position parts and slots of the vertices that have been given theirs.
+    /// Position parts and varyings, of those vertices for which they were computed.
     pub vertices: Vertices,
     /// Distances to the user clip planes, `user_stride` for each vertex.
     user: Vec<f64>,
@@ -44,14 +44,14 @@ impl TransformedVertices {
         self.count
     }
 
-    /// Where a vertex is.
+    /// Window position and outcode of a vertex.
     #[inline]
     #[must_use]
     pub fn screen(&self, id: u32) -> ScreenPosition {
         self.screen.get(id as usize % MAX_VERTICES).copied().unwrap_or_default()
     }
 
-    /// Where the corners of triangles are.
+    /// Window positions and outcodes of the corners of triangles.
     #[inline]
     pub fn corners(&self, triangles: &[[u32; 3]], corners: &mut [[ScreenPosition; LANES]; 3]) {
         let Some(places) = self.screen.first_chunk::<MAX_VERTICES>() else { return };
@@ -86,7 +86,7 @@ impl TransformedVertices {
         self.user.get(i..i + self.user_stride).unwrap_or(&[])
     }
 
-    /// Appends the places of the vertices of a batch; they have no values yet.
+    /// Appends the vertices of a batch, without varyings.
     pub fn append(&mut self, b: &VertexBatch) {
         let n = b.n.min(LANES).min(MAX_VERTICES - self.count.min(MAX_VERTICES));
         self.make_room(n);
@@ -105,8 +105,7 @@ impl TransformedVertices {
         }
     }
 
-    /// Makes room for more vertices. What nobody has given them yet is never read, so what earlier vertices had may stay
-    /// there.
+    /// Makes room for more vertices. They keep what earlier ones had there: it is not read before it is written.
     fn make_room(&mut self, more: usize) {
         let count = self.count + more;
         if self.screen.is_empty() {
@@ -123,7 +122,7 @@ impl TransformedVertices {
         }
     }
 
-    /// Gives the vertex of each lane of a batch its position and its values.
+    /// Stores the position and the varyings of each lane of a batch, as the vertices with these ids.
     pub fn fill(&mut self, b: &VertexBatch, ids: impl Iterator<Item = u32> + Clone) {
         for (i, id) in (0..LANES).zip(ids.clone()) {
             let Some(head) = self.vertices.head.get_mut(id as usize) else { return };
@@ -223,7 +222,7 @@ impl TransformedVertices {
     }
 }
 
-/// What two layouts have in common: place in the first, place in the second, how many slots.
+/// What two layouts have in common: first slot in the one, first slot in the other, how many slots.
 fn slot_pairs(from: &Layout, to: &Layout) -> Vec<(usize, usize, usize)> {
     let back = if to.secondary.is_some() { 7 } else { 4 };
     let mut pairs = Vec::new();

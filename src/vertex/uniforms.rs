@@ -1,5 +1,5 @@
-//! The numbers that vertex stages work with, derived from the state when it changes: matrices in f64, lights and
-//! materials in f32. Stages see only these and the batch, never the state itself.
+//! The uniforms of vertex stages, derived from the state when it changes: matrices in f64, lights and materials in f32.
+//! Stages see only these and the batch, never the state.
 
 use crate::limits::{MAX_CLIP_PLANES, MAX_LIGHTS, MAX_TEXTURE_UNITS};
 
@@ -66,7 +66,7 @@ pub struct MaterialUniforms {
     pub shininess: f32,
 }
 
-/// Coordinate numbers of a texture unit.
+/// What a texture unit asks of its coordinates.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct UnitUniforms {
     /// Planes of object linear and eye linear generation, for s, t, r, q.
@@ -81,7 +81,7 @@ pub struct UnitUniforms {
     pub has_q: bool,
 }
 
-/// All numbers.
+/// All uniforms.
 #[derive(Clone, Debug, Default)]
 pub struct VertexUniforms {
     /// Projection times modelview.

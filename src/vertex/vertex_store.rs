@@ -1,6 +1,6 @@
-//! Vertices kept as lanes: blocks of 64, one array a number, only the attributes that somebody needs. A long Begin/End is
-//! collected in a store, so that several threads can share it, and a display list keeps one for each of its primitives.
-//! To fill a batch is to copy arrays.
+//! Vertices stored as batches are: blocks of 64, one array for each number, only the attributes that are needed. A long
+//! Begin/End is collected in a store, so that several threads can share it, and a display list keeps one for each of its
+//! primitives. Filling a batch is copying arrays.
 
 use super::batch::{Lanes, VertexBatch, needs};
 use super::cache::IndexList;
@@ -48,7 +48,7 @@ fn arrays(kept: u32) -> usize {
 }
 
 impl VertexStore {
-    /// Forgets all vertices and says which attributes the next ones have, and how many come at a time.
+    /// Forgets all vertices. The next ones have the attributes `kept` and come in blocks of `each`.
     pub fn clear(&mut self, kept: u32, each: usize) {
         self.lanes.clear();
         self.each = each.clamp(1, LANES);
@@ -79,7 +79,7 @@ impl VertexStore {
         ElementOrder::Range(0..u32::try_from(self.count).unwrap_or(u32::MAX))
     }
 
-    /// Appends the vertices of a batch; all batches but the last must have as many as come at a time. False where there is no memory.
+    /// Appends the vertices of a batch; all batches but the last must be whole blocks. False where there is no memory.
     pub fn push(&mut self, batch: &mut VertexBatch) -> bool {
         if self.lanes.try_reserve(self.per_block).is_err() {
             return false;
@@ -91,7 +91,7 @@ impl VertexStore {
         true
     }
 
-    /// A batch of the store: its number of vertices.
+    /// Loads a block into a batch.
     pub fn load(&self, block: usize, batch: &mut VertexBatch) {
         batch.n = self.count.saturating_sub(block * self.each).min(self.each);
         batch.w_is_one = self.w_is_one;
@@ -130,7 +130,7 @@ impl VertexStore {
     /// The block and the lane of a vertex.
     #[inline]
     fn place(&self, vertex: u32) -> (usize, usize) {
-        // A number that is known need not be divided by.
+        // Division by a constant is a shift.
         let (block, lane) = match self.each as u32 {
             EACH => (vertex / EACH, vertex % EACH),
             each => (vertex / each.max(1), vertex % each.max(1)),
@@ -158,7 +158,7 @@ impl VertexStore {
                     to.zip(numbers(block)).for_each(|(to, from)| *to = *from);
                     return;
                 }
-                // Neighbours that lie in two blocks.
+                // The range lies in two blocks.
                 let next = numbers(block + 1).iter().map(Some).chain(std::iter::repeat(None));
                 for ((to, from), next) in to.zip(numbers(block)).zip(next) {
                     let (first, last) = to.split_at_mut(here);

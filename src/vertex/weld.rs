@@ -1,11 +1,11 @@
-//! Equal vertices of a store made one (section 2.8 turned round): a display list of separate triangles has each corner of
-//! a mesh about six times. A welded store has it once and a list of indices, as if the program had used DrawElements, and
-//! a vertex depends on nothing but its values, so no bit changes.
+//! Welding: equal vertices of a store become one. A display list of separate triangles has each vertex of a mesh about six
+//! times; a welded store has it once, and a list of indices, as if the program had called DrawElements. A vertex depends on
+//! nothing but its attributes, so no bit changes.
 
 use super::cache::IndexList;
 use super::vertex_store::VertexStore;
 
-/// How many places are looked at for a vertex before it counts as new, so that no input takes long.
+/// How many entries of the hash table are compared before a vertex counts as new, so that no input takes long.
 const PROBES: usize = 8;
 
 /// Vertices, each once, and the order in which they are drawn.
@@ -23,31 +23,31 @@ impl Welded {
     pub fn new(store: &VertexStore) -> Option<Self> {
         let count = store.len();
         let size = count.checked_mul(2)?.checked_next_power_of_two()?;
-        let (mut places, mut indices, mut first) = (Vec::<u32>::new(), Vec::new(), Vec::<u32>::new());
-        places.try_reserve_exact(size).ok()?;
+        let (mut table, mut indices, mut first) = (Vec::<u32>::new(), Vec::new(), Vec::<u32>::new());
+        table.try_reserve_exact(size).ok()?;
         indices.try_reserve_exact(count.checked_mul(4)?).ok()?;
-        places.resize(size, u32::MAX);
+        table.resize(size, u32::MAX);
         for vertex in 0..u32::try_from(count).ok()? {
             let hash = store
                 .numbers(vertex)
                 .fold(0u64, |h, v| (h ^ u64::from(v.to_bits())).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29));
             let mut id = None;
             for probe in 0..PROBES {
-                let place = places.get_mut((hash as usize).wrapping_add(probe) & (size - 1))?;
-                if *place == u32::MAX {
-                    *place = first.len() as u32;
+                let entry = table.get_mut((hash as usize).wrapping_add(probe) & (size - 1))?;
+                if *entry == u32::MAX {
+                    *entry = first.len() as u32;
                     break;
                 }
-                let like = *first.get(*place as usize)?;
+                let like = *first.get(*entry as usize)?;
                 let bits = |vertex| store.numbers(vertex).map(f32::to_bits);
                 if bits(like).eq(bits(vertex)) {
-                    id = Some(*place);
+                    id = Some(*entry);
                     break;
                 }
             }
             let id = id.unwrap_or(first.len() as u32);
             if id as usize == first.len() {
-                // Worth it only where most vertices come again.
+                // It is worth it only where most vertices repeat.
                 if first.len() > count / 2 || first.try_reserve(1).is_err() {
                     return None;
                 }

@@ -1,4 +1,4 @@
-//! Lighting, the part that the lights play (OpenGL 1.5, section 2.14.1): for each light its direction, attenuation and
+//! Lighting, the part of the lights (OpenGL 1.5, section 2.14.1): for each light its direction, attenuation and
 //! spot factor, then sums of ambient, diffuse and specular light over all lights. The material multiplies the sums once
 //! at the end (`material`), so that one light more costs three products a term, whether colours track or not.
 //!

@@ -1,4 +1,4 @@
-//! Lighting, the part that the material plays (OpenGL 1.5, sections 2.14.1, 2.14.3 and 2.14.6): the sums over the lights
+//! Lighting, the part of the material (OpenGL 1.5, sections 2.14.1, 2.14.3 and 2.14.6): the sums over the lights
 //! times the material colours, which the vertex's own colour replaces where COLOR_MATERIAL is on, and the clamp to
 //! [0, 1] that every colour undergoes, lit or not.
 

@@ -1,4 +1,4 @@
-//! The normal's way to eye coordinates (OpenGL 1.5, section 2.11.3). A normal goes by the inverse of the modelview's upper
+//! Normals in eye coordinates (OpenGL 1.5, section 2.11.3). A normal is transformed by the inverse of the modelview's upper
 //! 3x3, which is its cofactor matrix divided by its determinant. With NORMALIZE only the determinant's sign matters, and
 //! RESCALE_NORMAL's factor is the length of a column of cofactors: neither divides by the determinant, so both are
 //! defined for a singular matrix too.
@@ -121,7 +121,7 @@ mod tests {
         let three = DMat4::from_scale(DVec3::splat(3.0));
         let m = normal_matrix(&three, Rescale::Matrix);
         assert!((apply(&m, [0.0, 0.6, 0.8]) - DVec3::new(0.0, 0.6, 0.8)).length() < 1e-7);
-        // A mirror image turns x round and nothing else.
+        // A mirror image negates x and nothing else.
         let mirror = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
         assert_eq!(apply(&normal_matrix(&mirror, Rescale::Each), [1.0, 0.0, 1.0]), DVec3::new(-1.0, 0.0, 1.0));
     }

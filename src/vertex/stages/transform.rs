@@ -9,7 +9,7 @@ use crate::simd::{LANES, stage};
 use crate::vertex::batch::VertexBatch;
 use crate::vertex::uniforms::{Columns, VertexUniforms, ViewportUniforms};
 
-/// Windows positions with a greater absolute coordinate are outside the guard band.
+/// Window positions with a greater absolute coordinate are outside the guard band.
 pub const GUARD_BAND: f64 = 32767.0;
 
 /// Row `r` of a matrix times a vector, in written order.
@@ -33,7 +33,8 @@ pub fn to_window(v: &ViewportUniforms, clip: [f64; 4]) -> ([f64; 3], [i32; 2]) {
 }
 
 stage! {
-    /// Object to clip coordinates, by one matrix whatever else is computed: passes with different state meet exactly.
+    /// Object to clip coordinates, always by the one product of both matrices: passes with different state cover the same
+    /// pixels.
     pub fn CLIP: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
         let n = b.span.min(LANES);
         let m = u.to_clip;

@@ -8,7 +8,7 @@ use crate::simd::{LANES, stage};
 use crate::vertex::batch::VertexBatch;
 use crate::vertex::uniforms::VertexUniforms;
 
-/// Puts so many slots, and all else, of the triangles of a batch in place.
+/// Writes the corners of the triangles of a batch, with so many slots.
 pub type CornersFn = unsafe fn(&VertexBatch, usize, &mut CornerLanes);
 
 /// Every third lane.
@@ -20,7 +20,7 @@ fn thirds<T: Copy>(from: &[T; LANES], [a, b, c]: [&mut [T; GROUP]; 3]) {
 }
 
 stage! {
-    /// Where the corners of triangles are.
+    /// Positions of the corners of triangles.
     pub fn CORNER_POSITIONS: VertFn = (b: &mut VertexBatch, _u: &VertexUniforms, _arg: u32) {
         let VertexBatch { screen, triangles, .. } = b;
         let corners = triangles.corners.each_mut().map(|lanes| lanes.first_chunk_mut());
