@@ -1,7 +1,7 @@
 //! The enumerants of OpenGL 1.0 to 1.3, second part in the registry's order: pixels, evaluators, texturing, 1.2, 1.3.
 //! The table is the constant list and, through `ALL`, the way back from a value to its name.
 
-super::enumerants! {
+super::enumerants::enumerants! {
     GL_TEXTURE_ALPHA_SIZE = 0x805F;
     GL_TEXTURE_LUMINANCE_SIZE = 0x8060;
     GL_TEXTURE_INTENSITY_SIZE = 0x8061;

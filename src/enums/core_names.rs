@@ -1,7 +1,7 @@
 //! The enumerants of OpenGL 1.0 to 1.3, first part in the registry's order: vertices, lists, state, lighting, pixels.
 //! The table is the constant list and, through `ALL`, the way back from a value to its name.
 
-super::enumerants! {
+super::enumerants::enumerants! {
     GL_BYTE = 0x1400;
     GL_UNSIGNED_BYTE = 0x1401;
     GL_SHORT = 0x1402;

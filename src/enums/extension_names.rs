@@ -1,7 +1,7 @@
 //! The enumerants of OpenGL 1.4, 1.5 and of the extensions that fixedgl knows, one row each, grouped as the registry
 //! groups them.
 
-super::enumerants! {
+super::enumerants::enumerants! {
     // GL_VERSION_1_4
     GL_BLEND_DST_RGB = 0x80C8;
     GL_BLEND_SRC_RGB = 0x80C9;

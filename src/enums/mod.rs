@@ -4,61 +4,23 @@
 
 mod core_more_names;
 mod core_names;
+mod enumerants;
 mod extension_names;
 mod gl_enum;
+mod types;
 
 pub use core_more_names::*;
 pub use core_names::*;
 pub use extension_names::*;
 pub(crate) use gl_enum::gl_enum;
+pub use types::*;
 
 use std::fmt;
-
-/// An enumerated value.
-pub type GLenum = u32;
-/// A set of bits.
-pub type GLbitfield = u32;
-/// `GL_TRUE` or `GL_FALSE`.
-pub type GLboolean = u8;
-/// A signed 8-bit integer.
-pub type GLbyte = i8;
-/// An unsigned 8-bit integer.
-pub type GLubyte = u8;
-/// A signed 16-bit integer.
-pub type GLshort = i16;
-/// An unsigned 16-bit integer.
-pub type GLushort = u16;
-/// A signed 32-bit integer.
-pub type GLint = i32;
-/// An unsigned 32-bit integer.
-pub type GLuint = u32;
-/// A size: a signed integer that must not be negative.
-pub type GLsizei = i32;
-/// A 32-bit float.
-pub type GLfloat = f32;
-/// A 32-bit float that is clamped to [0, 1].
-pub type GLclampf = f32;
-/// A 64-bit float.
-pub type GLdouble = f64;
-/// A 64-bit float that is clamped to [0, 1].
-pub type GLclampd = f64;
-/// An offset into a buffer object.
-pub type GLintptr = isize;
-/// A size of a buffer object.
-pub type GLsizeiptr = isize;
 
 /// The boolean false.
 pub const GL_FALSE: GLboolean = 0;
 /// The boolean true.
 pub const GL_TRUE: GLboolean = 1;
-
-macro_rules! enumerants {
-    ($($name:ident = $value:literal;)*) => {
-        $(#[doc = concat!("`", stringify!($name), "`")] pub const $name: super::GLenum = $value;)*
-        pub(super) const ALL: &[(super::GLenum, &str)] = &[$(($value, stringify!($name))),*];
-    };
-}
-use enumerants;
 
 /// The name of an enumerant for messages: the first name in the tables that has this value, else the number in hex.
 /// Values below 0x100 stand for several things (0 is `GL_ZERO`, `GL_POINTS`, `GL_NO_ERROR`), so they stay numbers.

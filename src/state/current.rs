@@ -1,7 +1,7 @@
 //! Current values (OpenGL 1.5, sections 2.7 and 2.12, table 6.5): what a vertex takes with it when it is issued, and
 //! the current raster position.
 
-use super::PerUnit;
+use super::per_unit::PerUnit;
 use crate::limits::MAX_TEXTURE_UNITS;
 
 /// Current vertex attributes and raster position.

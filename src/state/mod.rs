@@ -10,14 +10,13 @@ pub mod depth_stencil;
 pub mod eval;
 pub mod fog;
 pub mod lighting;
+pub mod per_unit;
 pub mod pixel;
 pub mod pixel_maps;
 pub mod primitive;
 pub mod raster;
 pub mod texture;
 pub mod transform;
-
-use crate::limits::MAX_TEXTURE_UNITS;
 
 /// Every group of state that belongs to a context, apart from objects (textures, buffers, lists) and client state.
 #[derive(Clone, Debug, Default)]
@@ -102,6 +101,3 @@ impl Dirty {
         self.vertex || self.fragment || self.raster
     }
 }
-
-/// One value for each texture unit.
-pub type PerUnit<T> = [T; MAX_TEXTURE_UNITS];

@@ -2,8 +2,8 @@
 //! A unit holds its enables, the names bound to its targets, its environment and its coordinate generation; what belongs
 //! to a texture object ([`TexParameters`]) is stored with the object.
 
-use super::PerUnit;
 use super::compare::CompareFunc;
+use super::per_unit::PerUnit;
 use crate::enums::*;
 use crate::limits::MAX_TEXTURE_UNITS;
 

@@ -2,7 +2,7 @@
 //! clip planes in eye coordinates, viewport and depth range. f64 keeps a matrix right after hundreds of thousands of
 //! incremental rotations.
 
-use super::PerUnit;
+use super::per_unit::PerUnit;
 use crate::enums::gl_enum;
 use crate::limits::MAX_CLIP_PLANES;
 use glam::DMat4;
