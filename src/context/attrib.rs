@@ -6,18 +6,8 @@ use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{Outcome, stack_overflow, stack_underflow};
 use crate::limits::{MAX_ATTRIB_STACK_DEPTH, MAX_CLIENT_ATTRIB_STACK_DEPTH};
-use crate::state::texture::{Target, TexParameters, TextureState};
+use crate::state::texture::TextureState;
 use crate::state::{Dirty, State};
-
-/// What one PushAttrib saved: a state beside the mask that says which of its groups count, so that one table serves both
-/// directions.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct SavedAttributes {
-    mask: u32,
-    state: Box<State>,
-    /// Parameters of the textures bound to every target of every unit, where `GL_TEXTURE_BIT` is in the mask.
-    parameters: Vec<(u32, Target, TexParameters)>,
-}
 
 macro_rules! groups {
     ($to:expr, $from:expr, $mask:expr; $($bit:ident: $($($field:ident).+),+;)*) => {
@@ -72,38 +62,6 @@ fn copy_texture_enables(to: &mut TextureState, from: &TextureState) {
         for (to, from) in to.generation.iter_mut().zip(&from.generation) {
             to.enabled = from.enabled;
         }
-    }
-}
-
-/// The attribute stack. What was popped is kept for the next push.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct AttributeStack {
-    saved: Vec<SavedAttributes>,
-    depth: usize,
-}
-
-impl AttributeStack {
-    /// How many groups it holds.
-    pub(crate) fn depth(&self) -> usize {
-        self.depth
-    }
-
-    /// The next place, whatever it has held; `None` where the stack is full.
-    fn push(&mut self) -> Option<&mut SavedAttributes> {
-        if self.depth >= MAX_ATTRIB_STACK_DEPTH {
-            return None;
-        }
-        if self.depth == self.saved.len() {
-            self.saved.push(SavedAttributes::default());
-        }
-        self.depth += 1;
-        self.saved.get_mut(self.depth - 1)
-    }
-
-    /// The last place in use, which no longer is.
-    fn pop(&mut self) -> Option<&mut SavedAttributes> {
-        self.depth = self.depth.checked_sub(1)?;
-        self.saved.get_mut(self.depth)
     }
 }
 

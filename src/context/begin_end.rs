@@ -3,24 +3,12 @@
 //! something asks for what was drawn. State cannot change between Begin and End, except for materials: before one
 //! changes, the vertices that wait run with the material of their time.
 
-use super::engine::Engine;
+use super::engine::{Engine, Primitive};
 use super::immediate_fast::ImmediateFast;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, known};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::primitive::PrimitiveMode;
-
-/// Whether the engine is between Begin and End.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Primitive {
-    /// It is not.
-    #[default]
-    Outside,
-    /// It is.
-    Inside,
-    /// It is, and something has changed since the last vertex that the plans must know before the next.
-    Stale,
-}
 
 /// Batches from which on a Begin/End is long: it may come to as much again, so another thread is worth its start, whom End
 /// has to wait for.

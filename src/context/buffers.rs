@@ -1,57 +1,11 @@
 //! Buffer objects (OpenGL 1.5, sections 2.9 and 6.1.13): bytes that the context owns, which vertex arrays and index lists
 //! may come from. A data store is plain memory; usage is remembered and plays no part.
 
+use super::buffer_objects::Buffer;
 use super::engine::Engine;
 use super::{Pixels, Values};
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
-use std::collections::HashMap;
-
-/// A buffer object.
-#[derive(Clone, Debug)]
-pub(crate) struct Buffer {
-    /// The data store.
-    pub(crate) data: Vec<u8>,
-    usage: GLenum,
-    access: GLenum,
-    /// Whether MapBuffer has lent the data store to the program.
-    pub(crate) mapped: bool,
-}
-
-impl Default for Buffer {
-    fn default() -> Self {
-        Self { data: Vec::new(), usage: GL_STATIC_DRAW, access: GL_READ_WRITE, mapped: false }
-    }
-}
-
-/// All buffer objects, and which are bound.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Buffers {
-    /// Names in use; `None` for a generated name that was not bound yet.
-    named: HashMap<u32, Option<Buffer>>,
-    last: u32,
-}
-
-impl Buffers {
-    /// The object of a name.
-    pub(crate) fn get(&self, name: u32) -> Option<&Buffer> {
-        self.named.get(&name).and_then(Option::as_ref)
-    }
-
-    fn get_mut(&mut self, name: u32) -> Option<&mut Buffer> {
-        self.named.get_mut(&name).and_then(Option::as_mut)
-    }
-
-    fn generate(&mut self) -> u32 {
-        loop {
-            self.last = self.last.wrapping_add(1);
-            if self.last != 0 && !self.named.contains_key(&self.last) {
-                self.named.insert(self.last, None);
-                return self.last;
-            }
-        }
-    }
-}
 
 fn range(buffer: &Buffer, offset: isize, size: isize) -> Outcome<std::ops::Range<usize>> {
     let there = buffer.data.len();

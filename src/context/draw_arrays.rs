@@ -1,9 +1,9 @@
 //! Drawing from arrays (OpenGL 1.5, section 2.8): DrawArrays, DrawElements and their sisters, ArrayElement. Here are the
 //! checks and the arrays as a source of vertices; `draw_source` draws from it.
 
-use super::arrays::{ATTRIBUTES, Arrays, Attribute};
+use super::array_pointers::{ATTRIBUTES, Arrays, Attribute};
 use super::begin_end::check_mode;
-use super::buffers::Buffers;
+use super::buffer_objects::Buffers;
 use super::draw_source::Drawing;
 use super::engine::Engine;
 use super::fetch::Sources;
@@ -151,7 +151,7 @@ impl Engine {
             self.note(format!(
                 "glDrawArrays asks for {count} elements from element {first} on, but the {} array has only {there} of \
                  them; zeros stand for the rest",
-                super::arrays::place_name(place)
+                super::array_pointers::place_name(place)
             ));
         }
         Ok(())

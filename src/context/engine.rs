@@ -1,15 +1,14 @@
 //! The engine: everything that GL does, without the doors (OpenGL 1.5, figure 2.1). It owns the state, the objects, the
-//! framebuffer and the two ends of the pipeline. Its commands are spread over the files of this room, a chapter a file;
-//! this file only says what there is.
+//! framebuffer and the two ends of the pipeline. Its commands are spread over the files of this room, a chapter a file,
+//! none of which this file uses: it only says what there is.
 
-use super::arrays::Arrays;
-use super::attrib::AttributeStack;
-use super::begin_end::Primitive;
-use super::buffers::Buffers;
+use super::array_pointers::Arrays;
+use super::attribute_stack::AttributeStack;
+use super::buffer_objects::Buffers;
 use super::config::Config;
-use super::queries::Queries;
-use super::tex_image::{Proxies, Proxy};
-use super::textures::Textures;
+use super::proxies::{Proxies, Proxy};
+use super::query_objects::Queries;
+use super::texture_objects::Textures;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::limits::MAX_TEXTURE_LEVELS;
@@ -27,6 +26,18 @@ use std::sync::Arc;
 pub(crate) struct Client {
     pub(crate) pixel_store: PixelStores,
     pub(crate) arrays: Arrays,
+}
+
+/// Whether the engine is between Begin and End.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Primitive {
+    /// It is not.
+    #[default]
+    Outside,
+    /// It is.
+    Inside,
+    /// It is, and something has changed since the last vertex that the plans must know before the next.
+    Stale,
 }
 
 /// The state machine and the pipeline.

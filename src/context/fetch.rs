@@ -2,8 +2,8 @@
 //! size, made from one generic function; an element that lies outside of what is there reads as zeros, so that a wrong
 //! index or a buffer object that is too small never reads foreign memory.
 
-use super::arrays::{ATTRIBUTES, Arrays, Attribute, Pointer};
-use super::buffers::Buffers;
+use super::array_pointers::{ATTRIBUTES, Arrays, Attribute, Pointer};
+use super::buffer_objects::Buffers;
 use super::convert::{Component, Coordinate};
 use super::pixels_arg::ArrayData;
 use crate::enums::*;

@@ -4,8 +4,7 @@
 //! q. The engine's commands of the same names begin with these functions and go on where they say false; so there is one
 //! meaning, and a door that knows that nobody traces and no list is open may try them first. Nothing here can panic.
 
-use super::begin_end::Primitive;
-use super::engine::Engine;
+use super::engine::{Engine, Primitive};
 use crate::enums::{GL_TEXTURE0, GLenum};
 
 /// The common path of each command.

@@ -3,9 +3,12 @@
 //! from the one table in [`table`], where each command is a row; the methods of the engine do the work.
 
 pub(crate) mod args;
+pub(crate) mod array_pointers;
 pub(crate) mod arrays;
 pub(crate) mod attrib;
+pub(crate) mod attribute_stack;
 pub(crate) mod begin_end;
+pub(crate) mod buffer_objects;
 pub(crate) mod buffers;
 pub(crate) mod capture;
 pub(crate) mod config;
@@ -33,7 +36,9 @@ pub(crate) mod param_counts;
 pub(crate) mod params;
 pub(crate) mod pixel_state;
 pub(crate) mod pixels_arg;
+pub(crate) mod proxies;
 pub(crate) mod queries;
+pub(crate) mod query_objects;
 pub(crate) mod raster_state;
 pub(crate) mod readback;
 pub(crate) mod recorder;
@@ -42,6 +47,7 @@ pub(crate) mod tex_image;
 pub(crate) mod tex_query;
 pub(crate) mod tex_sub_image;
 pub(crate) mod tex_unit;
+pub(crate) mod texture_objects;
 pub(crate) mod textures;
 pub(crate) mod trace;
 pub(crate) mod validate;

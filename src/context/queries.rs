@@ -8,25 +8,6 @@ use super::textures::not_negative;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation};
 use crate::state::Dirty;
-use std::collections::HashMap;
-
-/// All query objects and the one that is counting.
-#[derive(Debug, Default)]
-pub(crate) struct Queries {
-    /// Results by name; `None` for a generated name that was never begun.
-    results: HashMap<u32, Option<u64>>,
-    active: Option<u32>,
-    next: u32,
-    /// Fragments that have passed since BeginQuery.
-    pub(crate) passed: u64,
-}
-
-impl Queries {
-    /// Whether a query is counting.
-    pub(crate) fn is_counting(&self) -> bool {
-        self.active.is_some()
-    }
-}
 
 fn occlusion(target: GLenum) -> Outcome {
     if target == GL_SAMPLES_PASSED {

@@ -4,6 +4,7 @@
 
 use super::Pixels;
 use super::engine::Engine;
+use super::proxies::Proxy;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
 use crate::limits::{MAX_3D_TEXTURE_SIZE, MAX_IMAGE_TEXELS, MAX_TEXTURE_LEVELS, MAX_TEXTURE_SIZE};
@@ -22,17 +23,6 @@ pub(crate) struct Place {
     pub(crate) face: usize,
     pub(crate) proxy: bool,
 }
-
-/// What a proxy keeps of the image that it was asked about: nothing, if the image does not fit.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Proxy {
-    pub(crate) format: Option<&'static InternalFormat>,
-    pub(crate) size: [u32; 3],
-    pub(crate) border: u32,
-}
-
-/// The proxies: one for each target and level.
-pub(crate) type Proxies = [[Proxy; MAX_TEXTURE_LEVELS]; 5];
 
 /// A request for an image, as the commands give it.
 #[derive(Clone, Copy, Debug)]
