@@ -1,9 +1,9 @@
-//! Images on their way between client memory and a display list (OpenGL 1.5, sections 3.6.1, 3.6.4 and 5.4): a list keeps
+//! Arguments that are memory on their way into a display list (OpenGL 1.5, sections 3.6.1, 3.6.4 and 5.4): a list keeps
 //! an image as it is under the unpack state when it is compiled. It is kept tight: whole elements in native byte order,
 //! rows without a gap, bitmaps with the highest bit first; so the unpack state at the time of the call does not matter.
 
-use super::Pixels;
 use super::engine::Engine;
+use super::pixels_arg::Pixels;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
 use crate::pixels::format::{PixelFormat, Type};
@@ -34,6 +34,23 @@ pub(crate) fn image_bytes(store: &PixelStore, size: impl ImageSize, format: GLen
     PixelFormat::new(format, type_).and_then(|pixel| size.geometry(store, pixel)).map_or(0, |g| g.total)
 }
 
+/// Values of a slice argument that a list keeps.
+pub(crate) fn keep<T: Copy>(values: &[T]) -> Outcome<Box<[T]>> {
+    let mut kept = Vec::new();
+    kept.try_reserve_exact(values.len()).map_err(|_| out_of_memory("no memory left for a display list"))?;
+    kept.extend_from_slice(values);
+    Ok(kept.into_boxed_slice())
+}
+
+/// Bytes of a memory argument that a list keeps as they are.
+pub(crate) fn keep_bytes(pixels: &Pixels<'_>) -> Outcome<Pixels<'static>> {
+    match pixels {
+        Pixels::Null => Ok(Pixels::Null),
+        Pixels::Kept(bytes) => Ok(Pixels::Kept(bytes.clone())),
+        Pixels::Bytes(bytes) => Ok(Pixels::Kept(keep(bytes)?.into())),
+    }
+}
+
 /// An image as a display list keeps it. One that is an error is kept as it is: the error belongs to the execution.
 pub(crate) fn capture(
     engine: &mut Engine,
@@ -43,9 +60,9 @@ pub(crate) fn capture(
     pixels: &Pixels<'_>,
 ) -> Outcome<Pixels<'static>> {
     let store = engine.unpack_store();
-    let Pixels::Bytes(bytes) = pixels else { return super::recorder::keep_bytes(pixels) };
-    let Ok(pixel) = PixelFormat::new(format, type_) else { return super::recorder::keep_bytes(pixels) };
-    let Ok(geometry) = size.geometry(&store, pixel) else { return super::recorder::keep_bytes(pixels) };
+    let Pixels::Bytes(bytes) = pixels else { return keep_bytes(pixels) };
+    let Ok(pixel) = PixelFormat::new(format, type_) else { return keep_bytes(pixels) };
+    let Ok(geometry) = size.geometry(&store, pixel) else { return keep_bytes(pixels) };
     geometry.check_len(bytes.len())?;
     Ok(Pixels::Kept(tight(bytes, &store, &geometry, pixel)?.into()))
 }
@@ -84,7 +101,7 @@ mod tests {
     use super::*;
     use crate::enums::*;
 
-    fn keep(bytes: &[u8], store: PixelStore, size: [i32; 2], format: GLenum, type_: GLenum) -> Vec<u8> {
+    fn kept(bytes: &[u8], store: PixelStore, size: [i32; 2], format: GLenum, type_: GLenum) -> Vec<u8> {
         let pixel = PixelFormat::new(format, type_).unwrap();
         tight(bytes, &store, &size.geometry(&store, pixel).unwrap(), pixel).unwrap()
     }
@@ -93,13 +110,13 @@ mod tests {
     fn rows_lose_their_padding_and_skips() {
         let store = PixelStore { skip_pixels: 1, row_length: 3, ..PixelStore::INITIAL };
         let bytes = [0, 1, 2, 99, 0, 3, 4, 99];
-        assert_eq!(keep(&bytes, store, [2, 2], GL_LUMINANCE, GL_UNSIGNED_BYTE), [1, 2, 3, 4]);
+        assert_eq!(kept(&bytes, store, [2, 2], GL_LUMINANCE, GL_UNSIGNED_BYTE), [1, 2, 3, 4]);
     }
 
     #[test]
     fn swapped_elements_are_put_right() {
         let store = PixelStore { swap_bytes: true, ..PixelStore::TIGHT };
-        assert_eq!(keep(&[1, 2, 3, 4], store, [2, 1], GL_LUMINANCE, GL_UNSIGNED_SHORT), [2, 1, 4, 3]);
+        assert_eq!(kept(&[1, 2, 3, 4], store, [2, 1], GL_LUMINANCE, GL_UNSIGNED_SHORT), [2, 1, 4, 3]);
     }
 
     #[test]
@@ -107,6 +124,6 @@ mod tests {
         let store = PixelStore { lsb_first: true, skip_pixels: 3, ..PixelStore::TIGHT };
         // Bits from the lowest: 000 1 0110 1000 0000; ten of them from the fourth on: 1 0110 1000 0.
         let bytes = [0b0110_1000, 0b0000_0001];
-        assert_eq!(keep(&bytes, store, [10, 1], GL_COLOR_INDEX, GL_BITMAP), [0b1011_0100, 0b0000_0000]);
+        assert_eq!(kept(&bytes, store, [10, 1], GL_COLOR_INDEX, GL_BITMAP), [0b1011_0100, 0b0000_0000]);
     }
 }

@@ -5,7 +5,7 @@
 use super::draw_arrays::ArrayElement;
 use super::errors::missing;
 use super::recorder::Command;
-use super::table::vertex::Op;
+use super::table::ops::vertex::Op;
 use super::{Context, IndexLists, Indices, Pixels, Values};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_value};
@@ -278,7 +278,7 @@ impl Context {
         if self.flags.tracing() {
             self.trace(
                 name,
-                &[("count", &count.slice()), ("type", &super::trace::Enumerant(type_)), ("indices", &lists)],
+                &[("count", &count.slice()), ("type", &super::show::Enumerant(type_)), ("indices", &lists)],
             );
         }
         for (count, indices) in count.slice().iter().zip(&lists) {
@@ -301,7 +301,7 @@ impl Context {
     pub fn render_mode(&mut self, mode: GLenum) -> i32 {
         let name = "glRenderMode";
         if self.flags.tracing() {
-            self.trace(name, &[("mode", &super::trace::Enumerant(mode))]);
+            self.trace(name, &[("mode", &super::show::Enumerant(mode))]);
         }
         outside(self, name, |_| Err(missing("render_mode")))
     }
@@ -313,7 +313,7 @@ impl Context {
     pub fn feedback_buffer(&mut self, size: i32, type_: GLenum) {
         let name = "glFeedbackBuffer";
         if self.flags.tracing() {
-            self.trace(name, &[("size", &size), ("type", &super::trace::Enumerant(type_))]);
+            self.trace(name, &[("size", &size), ("type", &super::show::Enumerant(type_))]);
         }
         outside(self, name, |_| Err(missing("feedback_buffer")))
     }
@@ -350,7 +350,7 @@ impl Context {
         if self.flags.tracing() {
             self.trace(
                 name,
-                &[("target", &super::trace::Enumerant(target)), ("access", &super::trace::Enumerant(access))],
+                &[("target", &super::show::Enumerant(target)), ("access", &super::show::Enumerant(access))],
             );
         }
         if self.engine.inside_begin_end() {

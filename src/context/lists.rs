@@ -2,63 +2,19 @@
 //! positions takes the place of the machine's stack, so that 64 levels are 64 small frames, and a list that calls itself
 //! ends there as the specification says.
 
+use super::list_compile::compile;
 use super::list_vertices::ListVertices;
-use super::recorder::{Command, List, OpenList};
+use super::recorder::{Command, List, OpenList, Other};
 use super::{Context, param_counts};
 use crate::enums::*;
-use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
 use crate::state::pixel::PixelStore;
-use std::collections::BTreeMap;
 
 /// Depth of lists within lists (`MAX_LIST_NESTING`).
 pub(crate) const MAX_LIST_NESTING: usize = 64;
 
 /// Calls of lists that one CallList may lead to. A list that calls itself twice would otherwise run 2^64 times.
 const MAX_CALLS: usize = 1 << 22;
-
-/// Names in use, as runs: a program may reserve a billion names.
-#[derive(Debug, Default)]
-pub(crate) struct Names(BTreeMap<u32, u32>);
-
-impl Names {
-    /// Whether a name is in use.
-    pub(crate) fn contains(&self, name: u32) -> bool {
-        self.0.range(..=name).next_back().is_some_and(|(_, last)| *last >= name)
-    }
-
-    /// Puts the names of a run into use.
-    pub(crate) fn insert(&mut self, first: u32, last: u32) {
-        self.remove(first, last);
-        self.0.insert(first, last);
-    }
-
-    /// Takes the names of a run out of use.
-    pub(crate) fn remove(&mut self, first: u32, last: u32) {
-        let hit: Vec<_> =
-            self.0.range(..=last).rev().take_while(|(_, l)| **l >= first).map(|(f, l)| (*f, *l)).collect();
-        for (f, l) in hit {
-            self.0.remove(&f);
-            if f < first {
-                self.0.insert(f, first - 1);
-            }
-            if l > last {
-                self.0.insert(last + 1, l);
-            }
-        }
-    }
-
-    /// The first name of a run of `n` free names, 0 not among them.
-    pub(crate) fn find_free(&self, n: u32) -> Option<u32> {
-        let mut first = 1_u32;
-        for (f, l) in &self.0 {
-            if f.checked_sub(first).is_some_and(|gap| gap >= n) {
-                return Some(first);
-            }
-            first = first.max(l.checked_add(1)?);
-        }
-        first.checked_add(n - 1).map(|_| first)
-    }
-}
 
 /// A position in what is being carried out.
 enum Frame {
@@ -81,7 +37,7 @@ pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>
     }
     let names = bytes.chunks_exact(size).take(param_counts::count(n));
     let mut all = Vec::new();
-    all.try_reserve_exact(names.len()).map_err(|_| crate::error::out_of_memory("no memory left for list names"))?;
+    all.try_reserve_exact(names.len()).map_err(|_| out_of_memory("no memory left for list names"))?;
     all.extend(names.map(|b| match (type_, b) {
         (GL_BYTE, [a]) => i32::from(*a as i8) as u32,
         (GL_SHORT, [a, b]) => i32::from(i16::from_ne_bytes([*a, *b])) as u32,
@@ -95,6 +51,18 @@ pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>
 }
 
 impl Context {
+    /// Adds a command to the open list. Returns whether it is to be carried out as well.
+    #[cold]
+    #[track_caller]
+    pub(crate) fn record(&mut self, name: &'static str, op: impl Into<Command>) -> bool {
+        let Some(open) = &mut self.recorder.open else { return true };
+        if open.commands.try_reserve(1).is_err() {
+            return self.fail(name, out_of_memory("no memory left for the display list; the command is not in it"));
+        }
+        open.commands.push(op.into());
+        open.mode == GL_COMPILE_AND_EXECUTE
+    }
+
     pub(crate) fn open_list(&mut self, list: u32, mode: GLenum) -> Outcome {
         if list == 0 {
             return Err(invalid_value("0 is no name of a list; take one from glGenLists"));
@@ -117,7 +85,7 @@ impl Context {
         };
         self.flags.set_recording(false);
         self.recorder.names.insert(open.name, open.name);
-        self.recorder.lists.insert(open.name, ListVertices::compile(open.commands).into());
+        self.recorder.lists.insert(open.name, compile(open.commands).into());
         Ok(())
     }
 
@@ -211,24 +179,50 @@ impl Context {
     }
 }
 
+impl Command {
+    /// Carries the command out, unless it is a call of lists: those are the affair of `Context::run_lists`.
+    #[track_caller]
+    fn run(&self, cx: &mut Context) {
+        match self {
+            Command::Vertex(op) => op.run(cx),
+            Command::VertexArray(vertices) => run_vertices(cx, vertices),
+            Command::Other(other) => other.run(cx),
+            Command::Call(_) | Command::Calls(_) => {}
+        }
+    }
+}
+
+impl Other {
+    /// Carries the command out.
+    #[track_caller]
+    fn run(&self, cx: &mut Context) {
+        match self {
+            Other::Transform(op) => op.run(cx),
+            Other::Lighting(op) => op.run(cx),
+            Other::Raster(op) => op.run(cx),
+            Other::Texture(op) => op.run(cx),
+            Other::Pixels(op) => op.run(cx),
+            Other::Fragment(op) => op.run(cx),
+            Other::Lists(op) => op.run(cx),
+            Other::Evaluators(op) => op.run(cx),
+            Other::Imaging(op) => op.run(cx),
+        }
+    }
+}
+
+/// Carries a Begin/End pair out.
+#[track_caller]
+fn run_vertices(cx: &mut Context, vertices: &ListVertices) {
+    let engine = &mut cx.engine;
+    if engine.inside_begin_end() || vertices.q_units & !engine.q_units != 0 {
+        return vertices.commands(|op| op.run(cx));
+    }
+    engine.draw_list_vertices(vertices);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn runs_of_names_split_and_leave_gaps() {
-        let mut names = Names::default();
-        assert_eq!(names.find_free(10), Some(1));
-        names.insert(1, 10);
-        names.remove(4, 5);
-        assert!(names.contains(3) && !names.contains(4) && !names.contains(5) && names.contains(6));
-        assert_eq!(names.find_free(2), Some(4));
-        assert_eq!(names.find_free(3), Some(11));
-        names.insert(u32::MAX, u32::MAX);
-        assert_eq!(names.find_free(u32::MAX), None);
-        names.remove(0, u32::MAX);
-        assert_eq!(names.find_free(u32::MAX), Some(1));
-    }
 
     #[test]
     fn names_of_every_type_are_read() {

@@ -84,10 +84,10 @@ macro_rules! plain {
 /// A plain value as a trace shows it.
 macro_rules! shown {
     (enum, $a:ident) => {
-        &$crate::context::trace::Enumerant($a)
+        &$crate::context::show::Enumerant($a)
     };
     (bits, $a:ident) => {
-        &$crate::context::trace::Bits($a)
+        &$crate::context::show::Bits($a)
     };
     (array, $a:ident) => {
         &$a
@@ -227,7 +227,7 @@ macro_rules! owned {
         Box::new(*$a)
     };
     ((slice $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {
-        match $crate::context::recorder::keep($a) {
+        match $crate::context::capture::keep($a) {
             Ok(kept) => kept,
             Err(error) => return $cx.fail($name, error),
         }
@@ -239,7 +239,7 @@ macro_rules! owned {
         }
     };
     ((bytes $size:expr), $cx:ident, $name:ident, $a:ident) => {
-        match $crate::context::recorder::keep_bytes($a) {
+        match $crate::context::capture::keep_bytes($a) {
             Ok(kept) => kept,
             Err(error) => return $cx.fail($name, error),
         }

@@ -100,7 +100,4 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
     }
 } } }
 
-use super::generate::chapter;
-arrays_table!(chapter);
-
 pub(crate) use arrays_table;

@@ -1,8 +1,6 @@
 //! Chapter of the table: evaluators (OpenGL 1.5, section 5.1). Control points travel as doubles with the strides that the
 //! program gave; typed forms of the evaluation become one canonical command.
 
-use crate::context::convert::doubles;
-
 macro_rules! evaluators_table { ($generate:ident) => { $generate! {
     title "Evaluators (section 5.1)";
     canonical {
@@ -79,8 +77,5 @@ macro_rules! evaluators_table { ($generate:ident) => { $generate! {
     }
     manual {}
 } } }
-
-use super::generate::chapter;
-evaluators_table!(chapter);
 
 pub(crate) use evaluators_table;

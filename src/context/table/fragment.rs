@@ -95,7 +95,4 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
     manual {}
 } } }
 
-use super::generate::chapter;
-fragment_table!(chapter);
-
 pub(crate) use fragment_table;

@@ -1,6 +1,6 @@
-//! What a chapter of the table becomes on the Rust side (OpenGL 1.5, chapter 2.5 and 5.4): an `Op` for what a display
-//! list can hold, the way of every op to the engine, the public methods of `Context`, the answers of the rows that
-//! are marked as missing, and the rows as data. A chapter calls [`chapter!`] with its rows, and that is all it does.
+//! What a chapter of the table becomes on the Rust side (OpenGL 1.5, chapter 2.5 and 5.4): the way of every op to the
+//! engine, the public methods of `Context`, the answers of the rows that are marked as missing, and the rows as data.
+//! `methods.rs` hands the rows of each chapter to [`chapter!`].
 
 /// Whether a command of a class may stand between Begin and End: only then it needs no check.
 macro_rules! allowed_inside {
@@ -22,18 +22,10 @@ macro_rules! immediate {
     };
 }
 
-/// The ops of a chapter: commands in the one form that the engine knows and a display list holds.
-macro_rules! ops {
+/// The way of every op of a chapter to the engine, from a list and from a method.
+macro_rules! dispatch {
     () => {};
     ($( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) ; )*) => {
-        /// The commands of this chapter that a display list can hold.
-        #[expect(non_camel_case_types, reason = "an op carries the name of the command in C")]
-        #[allow(clippy::enum_variant_names, reason = "an op carries the name of the command in C")]
-        #[derive(Clone, Debug)]
-        pub(crate) enum Op {
-            $( $name { $($a: $crate::context::table::arg_kinds::owned_ty!($k)),* }, )*
-        }
-
         impl Op {
             /// Carries the command out as a display list does: with the checks of its class.
             #[track_caller]
@@ -144,7 +136,7 @@ macro_rules! chapter {
         answers { $( $answer:ident ( $($aa:ident : $ak:tt),* ) $($a_missing:ident)? ; )* }
         manual { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* $($h_missing:ident)? ; )* }
     ) => {
-        $crate::context::table::generate::ops! {
+        $crate::context::table::generate::dispatch! {
             $( $class $name $snake ( $($a : $k),* ) ; )*
             $( $c_class $c_name $c_snake ( $($ca : $ck),* ) ; )*
         }
@@ -169,13 +161,13 @@ macro_rules! chapter {
 
         /// The rows of this chapter.
         #[cfg(test)]
-        pub(crate) const ROWS: &[$crate::context::table::Row] = &[
-            $( $crate::context::table::row!($c_class $c_name $(| $c_alias)*), )*
-            $( $( $crate::context::table::row!($f_class $f_name $(| $f_alias)*), )* )*
-            $( $crate::context::table::row!($o_class $o_name $(| $o_alias)*), )*
-            $( $crate::context::table::row!($n_class $n_name $(| $n_alias)*), )*
-            $( $( $crate::context::table::row!(now $q_name $(| $q_alias)*), )* )*
-            $( $crate::context::table::row!($h_class $h_name $(| $h_alias)*), )*
+        pub(crate) const ROWS: &[$crate::context::table::rows::Row] = &[
+            $( $crate::context::table::rows::row!($c_class $c_name $(| $c_alias)*), )*
+            $( $( $crate::context::table::rows::row!($f_class $f_name $(| $f_alias)*), )* )*
+            $( $crate::context::table::rows::row!($o_class $o_name $(| $o_alias)*), )*
+            $( $crate::context::table::rows::row!($n_class $n_name $(| $n_alias)*), )*
+            $( $( $crate::context::table::rows::row!(now $q_name $(| $q_alias)*), )* )*
+            $( $crate::context::table::rows::row!($h_class $h_name $(| $h_alias)*), )*
         ];
 
         #[doc = concat!("# ", $title)]
@@ -277,4 +269,4 @@ macro_rules! chapter {
     };
 }
 
-pub(crate) use {allowed_inside, ask, chapter, enter, immediate, missing, ops, or_unit};
+pub(crate) use {allowed_inside, ask, chapter, dispatch, enter, immediate, missing, or_unit};

@@ -35,7 +35,4 @@ macro_rules! get_table { ($generate:ident) => { $generate! {
     manual {}
 } } }
 
-use super::generate::chapter;
-get_table!(chapter);
-
 pub(crate) use get_table;

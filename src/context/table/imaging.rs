@@ -1,8 +1,6 @@
 //! Chapter of the table: the optional imaging subset (OpenGL 1.5, sections 3.6.3 and 6.1.7 to 6.1.10): colour tables,
 //! convolution, histogram and minmax. The C headers declare these commands, so a program may link against them.
 
-use crate::context::Params;
-
 macro_rules! imaging_table { ($generate:ident) => { $generate! {
     title "The imaging subset (section 3.6)";
     canonical {
@@ -115,8 +113,5 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
     }
     manual {}
 } } }
-
-use super::generate::chapter;
-imaging_table!(chapter);
 
 pub(crate) use imaging_table;

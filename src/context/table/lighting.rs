@@ -1,8 +1,6 @@
 //! Chapter of the table: lighting and fog (OpenGL 1.5, sections 2.14 and 3.10). The typed forms of a parameter command
 //! become one canonical command with [`Params`]: integer colours are mapped by table 2.6, enumerants pass unchanged.
 
-use crate::context::Params;
-
 macro_rules! lighting_table { ($generate:ident) => { $generate! {
     title "Colours and lighting (section 2.14)";
     canonical {
@@ -66,8 +64,5 @@ macro_rules! lighting_table { ($generate:ident) => { $generate! {
     }
     manual {}
 } } }
-
-use super::generate::chapter;
-lighting_table!(chapter);
 
 pub(crate) use lighting_table;

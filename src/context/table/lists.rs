@@ -60,7 +60,4 @@ macro_rules! lists_table {
     };
 }
 
-use super::generate::chapter;
-lists_table!(chapter);
-
 pub(crate) use lists_table;

@@ -2,6 +2,9 @@
 //! everything that a command needs outside the engine is made from its row: the method of [`Context`](super::Context),
 //! the safe C-named function in `fixedgl::c`, the exported C function, its entry in display lists and in the trace.
 //!
+//! A chapter file holds rows and nothing else, so that it needs no other file. `ops.rs` makes of the rows what a display
+//! list can hold, `methods.rs` the methods of [`Context`](super::Context).
+//!
 //! # Sections of a chapter
 //! - `title`: the heading of the chapter's methods in the documentation.
 //! - `canonical`: commands in the one form that the engine knows, without a door of their own.
@@ -61,8 +64,12 @@ pub(crate) mod get;
 pub(crate) mod imaging;
 pub(crate) mod lighting;
 pub(crate) mod lists;
+pub(crate) mod methods;
+pub(crate) mod ops;
 pub(crate) mod pixels;
 pub(crate) mod raster;
+#[cfg(test)]
+mod rows;
 #[cfg(test)]
 mod tests;
 pub(crate) mod texture;
@@ -76,102 +83,3 @@ pub(crate) struct Dispatch;
 
 /// The answers to the typed queries before they take the type that was asked for: one associated function each.
 pub(crate) struct Query;
-
-/// When a command is allowed and whether a display list records it.
-#[cfg(test)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// Allowed between Begin and End, recorded.
-    Begin,
-    /// Not allowed between Begin and End, recorded.
-    List,
-    /// Like `List`, but carried out at once for a proxy target.
-    Proxy,
-    /// Not allowed between Begin and End, never recorded.
-    Now,
-}
-
-/// A row of the table as data: what the tests of the table go through.
-#[cfg(test)]
-#[derive(Clone, Copy, Debug)]
-pub struct Row {
-    /// The command's name in C.
-    pub name: &'static str,
-    /// Further names of the same command, from the extensions it comes from.
-    pub aliases: &'static [&'static str],
-    /// When the command is allowed and whether a list records it.
-    pub class: Class,
-}
-
-#[cfg(test)]
-macro_rules! class {
-    (begin) => {
-        $crate::context::table::Class::Begin
-    };
-    (list) => {
-        $crate::context::table::Class::List
-    };
-    (proxy) => {
-        $crate::context::table::Class::Proxy
-    };
-    (now) => {
-        $crate::context::table::Class::Now
-    };
-}
-
-#[cfg(test)]
-macro_rules! row {
-    ($class:ident $name:ident $(| $alias:ident)*) => {
-        $crate::context::table::Row {
-            name: stringify!($name),
-            aliases: &[$(stringify!($alias)),*],
-            class: $crate::context::table::class!($class),
-        }
-    };
-}
-#[cfg(test)]
-pub(crate) use {class, row};
-
-/// The chapters in the order of the specification.
-#[cfg(test)]
-const CHAPTERS: [&[Row]; 12] = [
-    vertex::ROWS,
-    transform::ROWS,
-    lighting::ROWS,
-    raster::ROWS,
-    texture::ROWS,
-    pixels::ROWS,
-    fragment::ROWS,
-    arrays::ROWS,
-    evaluators::ROWS,
-    lists::ROWS,
-    get::ROWS,
-    imaging::ROWS,
-];
-
-/// The rows that are marked as missing, with their marks.
-#[cfg(test)]
-pub fn missing() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-    [
-        vertex::MISSING,
-        transform::MISSING,
-        lighting::MISSING,
-        raster::MISSING,
-        texture::MISSING,
-        pixels::MISSING,
-        fragment::MISSING,
-        arrays::MISSING,
-        evaluators::MISSING,
-        lists::MISSING,
-        get::MISSING,
-        imaging::MISSING,
-    ]
-    .into_iter()
-    .flatten()
-}
-
-/// All rows of the table.
-#[cfg(test)]
-pub fn rows() -> impl Iterator<Item = &'static Row> {
-    CHAPTERS.into_iter().flatten()
-}

@@ -1,10 +1,6 @@
 //! Chapter of the table: pixel rectangles and bitmaps (OpenGL 1.5, sections 3.6, 3.7 and 4.3). Images are read under the
 //! unpack state and written under the pack state; a display list keeps an image as it was when it was compiled.
 
-use crate::context::Params;
-use crate::context::convert::map_of;
-use crate::enums::{GL_BITMAP, GL_COLOR_INDEX};
-
 macro_rules! pixels_table { ($generate:ident) => { $generate! {
     title "Pixels (sections 3.6, 4.3)";
     canonical {
@@ -58,8 +54,5 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
     }
     manual {}
 } } }
-
-use super::generate::chapter;
-pixels_table!(chapter);
 
 pub(crate) use pixels_table;

@@ -1,9 +1,6 @@
 //! Chapter of the table: points, lines, polygons, antialiasing hints and multisampling (OpenGL 1.5, chapter 3 up to 3.5,
 //! sections 3.2.1 and 5.6).
 
-use crate::context::Params;
-use crate::enums::{GL_BITMAP, GL_COLOR_INDEX};
-
 macro_rules! raster_table { ($generate:ident) => { $generate! {
     title "Points, lines, polygons and hints (sections 3.3 to 3.5, 5.6)";
     canonical {
@@ -49,8 +46,5 @@ macro_rules! raster_table { ($generate:ident) => { $generate! {
     answers {}
     manual {}
 } } }
-
-use super::generate::chapter;
-raster_table!(chapter);
 
 pub(crate) use raster_table;

@@ -1,8 +1,9 @@
 //! Every row of the table, called: the Begin/End rule of its class, and arguments that no program should pass. The calls
 //! are made from the rows, so that a new row is tested as soon as it is there.
 
+use super::rows::Class;
 use super::{
-    Class, arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
+    arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
     imaging::imaging_table, lighting::lighting_table, lists::lists_table, pixels::pixels_table, raster::raster_table,
     texture::texture_table, transform::transform_table, vertex::vertex_table,
 };
@@ -118,7 +119,7 @@ const CALLS: [&[Call]; 12] = [
 ];
 
 fn class(name: &str) -> Class {
-    super::rows().find(|row| row.name == name).map(|row| row.class).expect("every call has a row")
+    super::rows::rows().find(|row| row.name == name).map(|row| row.class).expect("every call has a row")
 }
 
 /// Rows that are written by hand and therefore are not among the calls.
@@ -127,7 +128,7 @@ const MANUAL: [&str; 5] = ["glRenderMode", "glFeedbackBuffer", "glSelectBuffer",
 #[test]
 fn every_row_is_called_here() {
     let calls: Vec<&str> = CALLS.iter().copied().flatten().map(|call| call.0).collect();
-    for row in super::rows() {
+    for row in super::rows::rows() {
         assert!(calls.contains(&row.name) || MANUAL.contains(&row.name), "{}", row.name);
     }
 }
@@ -195,7 +196,7 @@ fn no_argument_makes_a_recorded_command_panic() {
 
 #[test]
 fn rows_that_wait_for_their_engine_are_marked_and_counted() {
-    let missing: Vec<_> = super::missing().collect();
+    let missing: Vec<_> = super::rows::missing().collect();
     assert!(missing.iter().all(|(_, mark)| *mark == "missing"));
     assert_eq!(missing.len(), 48, "{missing:?}");
 }

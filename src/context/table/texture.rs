@@ -1,8 +1,6 @@
 //! Chapter of the table: texturing (OpenGL 1.5, section 3.8). Images are read under the unpack state; a display list
 //! keeps them as they were when it was compiled, and images of proxy targets are never compiled but answered at once.
 
-use crate::context::Params;
-
 macro_rules! texture_table { ($generate:ident) => { $generate! {
     title "Texturing (section 3.8)";
     canonical {
@@ -139,8 +137,5 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
     }
     manual {}
 } } }
-
-use super::generate::chapter;
-texture_table!(chapter);
 
 pub(crate) use texture_table;

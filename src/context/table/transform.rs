@@ -1,9 +1,6 @@
 //! Chapter of the table: coordinate transformations (OpenGL 1.5, sections 2.11 and 2.11.1 to 2.11.4, 2.12 clipping).
 //! Matrices travel as sixteen doubles, column by column; transposed forms are turned over at the door.
 
-use crate::context::Params;
-use crate::context::convert::{matrix, transposed};
-
 macro_rules! transform_table { ($generate:ident) => { $generate! {
     title "Coordinate transformation and clipping (sections 2.11, 2.12)";
     canonical {
@@ -108,8 +105,5 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
     }
     manual {}
 } } }
-
-use super::generate::chapter;
-transform_table!(chapter);
 
 pub(crate) use transform_table;

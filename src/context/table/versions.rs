@@ -1,6 +1,6 @@
 //! Every command of GL 1.0 to 1.5 and of the imaging subset has exactly one row.
 
-use super::rows;
+use super::rows::rows;
 use std::collections::BTreeSet;
 
 /// The commands that each version added, as the specification's appendices list them, without the prefix `gl`.

@@ -2,8 +2,6 @@
 //! 2.6, 2.7, 2.12; 2.10 for Rect): every typed form becomes one canonical command with a float vector. Integer colours
 //! and normals are mapped by table 2.6; coordinates that a form leaves out are (0, 0, 1).
 
-use crate::context::convert::{color, corners, normal, number, point, window};
-
 macro_rules! vertex_table { ($generate:ident) => { $generate! {
     title "Vertices, current values and rectangles (sections 2.6, 2.7, 2.10, 2.12)";
     canonical {
@@ -273,8 +271,5 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
     answers {}
     manual {}
 } } }
-
-use super::generate::chapter;
-vertex_table!(chapter);
 
 pub(crate) use vertex_table;

@@ -1,0 +1,60 @@
+//! What a display list can hold (OpenGL 1.5, section 5.4): for each chapter an `Op`, whose variants are the commands of
+//! the chapter that a list records, in the one form that the engine knows. Only data: how an op is carried out is in
+//! `generate.rs`, so that a list does not need the context that holds it.
+
+use super::{
+    arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
+    imaging::imaging_table, lighting::lighting_table, lists::lists_table, pixels::pixels_table, raster::raster_table,
+    texture::texture_table, transform::transform_table, vertex::vertex_table,
+};
+
+/// The commands of some rows.
+macro_rules! op {
+    () => {};
+    ($( $name:ident ( $($a:ident : $k:tt),* ) ; )*) => {
+        /// The commands of this chapter that a display list can hold.
+        #[expect(non_camel_case_types, reason = "an op carries the name of the command in C")]
+        #[allow(clippy::enum_variant_names, reason = "an op carries the name of the command in C")]
+        #[derive(Clone, Debug)]
+        pub(crate) enum Op {
+            $( $name { $($a: $crate::context::table::arg_kinds::owned_ty!($k)),* }, )*
+        }
+    };
+}
+
+macro_rules! ops {
+    (
+        title $title:literal;
+        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) $($missing:ident)? ; )* }
+        commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)*
+            $c_snake:ident ( $($ca:ident : $ck:tt),* ) $($c_missing:ident)? ; )* }
+        $($others:tt)*
+    ) => {
+        op! {
+            $( $name ( $($a : $k),* ) ; )*
+            $( $c_name ( $($ca : $ck),* ) ; )*
+        }
+    };
+}
+
+macro_rules! chapters {
+    ($($chapter:ident: $table:ident;)*) => {
+        $( pub(crate) mod $chapter {
+            super::$table!(ops);
+        } )*
+    };
+}
+chapters! {
+    vertex: vertex_table;
+    transform: transform_table;
+    lighting: lighting_table;
+    raster: raster_table;
+    texture: texture_table;
+    pixels: pixels_table;
+    fragment: fragment_table;
+    arrays: arrays_table;
+    evaluators: evaluators_table;
+    lists: lists_table;
+    get: get_table;
+    imaging: imaging_table;
+}

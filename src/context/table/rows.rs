@@ -1,0 +1,94 @@
+//! The rows of the table as data, for its tests.
+
+use super::methods;
+
+/// When a command is allowed and whether a display list records it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// Allowed between Begin and End, recorded.
+    Begin,
+    /// Not allowed between Begin and End, recorded.
+    List,
+    /// Like `List`, but carried out at once for a proxy target.
+    Proxy,
+    /// Not allowed between Begin and End, never recorded.
+    Now,
+}
+
+/// A row of the table as data: what the tests of the table go through.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The command's name in C.
+    pub name: &'static str,
+    /// Further names of the same command, from the extensions it comes from.
+    pub aliases: &'static [&'static str],
+    /// When the command is allowed and whether a list records it.
+    pub class: Class,
+}
+
+macro_rules! class {
+    (begin) => {
+        $crate::context::table::rows::Class::Begin
+    };
+    (list) => {
+        $crate::context::table::rows::Class::List
+    };
+    (proxy) => {
+        $crate::context::table::rows::Class::Proxy
+    };
+    (now) => {
+        $crate::context::table::rows::Class::Now
+    };
+}
+
+macro_rules! row {
+    ($class:ident $name:ident $(| $alias:ident)*) => {
+        $crate::context::table::rows::Row {
+            name: stringify!($name),
+            aliases: &[$(stringify!($alias)),*],
+            class: $crate::context::table::rows::class!($class),
+        }
+    };
+}
+pub(crate) use {class, row};
+
+/// The chapters in the order of the specification.
+const CHAPTERS: [&[Row]; 12] = [
+    methods::vertex::ROWS,
+    methods::transform::ROWS,
+    methods::lighting::ROWS,
+    methods::raster::ROWS,
+    methods::texture::ROWS,
+    methods::pixels::ROWS,
+    methods::fragment::ROWS,
+    methods::arrays::ROWS,
+    methods::evaluators::ROWS,
+    methods::lists::ROWS,
+    methods::get::ROWS,
+    methods::imaging::ROWS,
+];
+
+/// The rows that are marked as missing, with their marks.
+pub fn missing() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    [
+        methods::vertex::MISSING,
+        methods::transform::MISSING,
+        methods::lighting::MISSING,
+        methods::raster::MISSING,
+        methods::texture::MISSING,
+        methods::pixels::MISSING,
+        methods::fragment::MISSING,
+        methods::arrays::MISSING,
+        methods::evaluators::MISSING,
+        methods::lists::MISSING,
+        methods::get::MISSING,
+        methods::imaging::MISSING,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// All rows of the table.
+pub fn rows() -> impl Iterator<Item = &'static Row> {
+    CHAPTERS.into_iter().flatten()
+}
