@@ -1,16 +1,17 @@
-//! Sixty-four fragments as structures of arrays. The rasteriser appends *segments*: runs of lanes that belong to one
+//! Sixty-four fragments as structures of arrays. The rasteriser appends *segments*: successive lanes of one
 //! primitive. Stages that need the primitive (interpolation) walk the segments; all others see 64 lanes.
 
 use super::mip_range::LodLookahead;
 use crate::simd::LANES;
 use crate::texture::batch::{Lanes, TexBatch};
 
-/// A run of lanes of one primitive. The segments of a batch follow each other: the first starts at lane 0, each next one
-/// where the one before ends.
+/// Successive lanes of one primitive. The segments of a batch follow each other: the first starts at lane 0, each next
+/// one where the one before ends.
 ///
-/// There are two kinds. A *row* segment is a run of neighbouring pixels: lane i is the pixel (x + (i - start), y) at
+/// There are two kinds. A *row* segment is neighbouring pixels of a row: lane i is the pixel (x + (i - start), y) at
 /// `offset + (i - start)`; the lane arrays `offset`, `dx`, `dy` of the batch are not read and need not be written. The
-/// lanes of the other kind (the few pixels of a small primitive) stand wherever `offset`, `dx`, `dy` of each lane say.
+/// lanes of the other kind are *scattered* (the few pixels of a small primitive): `offset`, `dx`, `dy` say where each
+/// is.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Segment {
     /// Index of the primitive's [`Planes`](crate::fragment::planes::Planes) in the scene.
@@ -42,7 +43,7 @@ pub struct FragmentBatch {
     pub dy: Lanes,
     /// 1 / (relative 1/w): what a numerator plane is multiplied with.
     pub rw: Lanes,
-    /// The same in `f64`, where a unit has left it for the units that follow.
+    /// The same in `f64`, where a unit has computed it for the units that follow.
     pub rw64: [f64; LANES],
     /// Window depth in units of the depth buffer.
     pub z: [u32; LANES],
@@ -71,11 +72,11 @@ pub struct FragmentBatch {
     pub segments: [Segment; LANES],
     /// How many segments are in use.
     pub segment_count: usize,
-    /// What is known of the run that the batch is a part of.
+    /// What is known of the mipmap levels in the row that the batch is a part of.
     pub lookahead: LodLookahead,
     /// Whether `rw64` is that of this batch.
     pub has_rw64: bool,
-    /// Whether no segment is a row; programs find out themselves.
+    /// Whether no segment is a row. The first stage of a program sets it.
     pub scattered: bool,
     /// Whether a fragment is still alive after the last test.
     pub alive: bool,
@@ -130,7 +131,7 @@ impl FragmentBatch {
         LANES - self.tex.n.min(LANES)
     }
 
-    /// Appends a run of neighbouring pixels: as many of `len` as fit in, whose number it returns.
+    /// Appends neighbouring pixels of a row: as many of `len` as fit in, whose number it returns.
     #[inline]
     pub fn push_row(&mut self, prim: u32, x: i32, y: i32, offset: u32, len: u32) -> u32 {
         let len = len.min(self.room() as u32);

@@ -62,8 +62,8 @@ pub(super) fn holds<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; N]
     }
 }
 
-/// How many lanes are alive. The one way to ask: two reductions of other kinds over one mask (one of `|`, one of `&`) are
-/// compiled lane by lane.
+/// How many lanes are alive. Any other question about a mask is answered by this one: two reductions of different
+/// kinds over one mask (one of `|`, one of `&`) are compiled lane by lane.
 #[inline(always)]
 pub(super) fn living<const N: usize>(mask: &[u32; N]) -> u32 {
     let mut n = 0u32;

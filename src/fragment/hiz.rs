@@ -1,7 +1,7 @@
 //! Hierarchical depth: the greatest depth of each block of a row of the depth buffer, kept up to date by the programs. Depth
 //! along a row of a primitive is monotonic, rounding included, so the depths at its two ends are its least and its greatest:
 //! a row whose nearest end lies behind what is kept of its blocks fails the depth test unread (OpenGL 1.5, section 4.1.6).
-//! After a row was drawn the blocks that it has touched are looked at again.
+//! After a row was drawn the greatest depths of the blocks that it has touched are computed again.
 
 use super::batch::{FragmentBatch, Segment};
 use super::compare::Func;
@@ -14,9 +14,9 @@ use crate::simd::{Step, stage};
 /// The stages of a program that uses it.
 #[derive(Clone, Copy, Debug)]
 pub struct Hiz {
-    /// Tells how many pixels of a row are hidden, from its start on.
+    /// Gives how many pixels of a row, from its start on, are hidden.
     pub cull: Step<LongFn>,
-    /// Looks at the blocks that a row has touched, if depths are written.
+    /// Computes the greatest depths of the blocks that a row has touched, if depths are written.
     pub update: Option<Step<LongFn>>,
 }
 
@@ -35,7 +35,7 @@ pub fn uses_hiz(func: Func) -> bool {
     matches!(func, Func::Less | Func::Lequal | Func::Equal)
 }
 
-/// How many pixels of a run, from its start on, fail the test because their blocks are nearer.
+/// How many pixels of a row, from its start on, fail the test because their blocks are nearer.
 #[inline(always)]
 pub fn hiz_cull(band: &Band<'_>, run: &Segment, slope: &DepthSlope, x: i32, func: Func) -> u32 {
     let Ok(start) = usize::try_from(run.x) else { return 0 };
@@ -51,7 +51,7 @@ pub fn hiz_cull(band: &Band<'_>, run: &Segment, slope: &DepthSlope, x: i32, func
     at.min(end).wrapping_sub(start) as u32
 }
 
-/// Tells the coarse buffer of the blocks that the first `len` pixels of a run touch.
+/// Updates hierarchical depth for the blocks that the first `len` pixels of a row touch.
 #[inline(always)]
 pub fn hiz_update(band: &mut Band<'_>, run: &Segment, len: usize) {
     let (Ok(x), row) = (usize::try_from(run.x), band.memory_row(run.y)) else { return };
@@ -74,7 +74,7 @@ pub fn hiz_update(band: &mut Band<'_>, run: &Segment, len: usize) {
 }
 
 stage! {
-    /// How many pixels of a row may be skipped from its start on.
+    /// How many pixels of a row, from its start on, may be skipped.
     pub fn HIZ_CULL: LongFn = (_b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, s: &Segment, arg: u32) -> u32 {
         let Some(planes) = w.planes.get(s.prim as usize) else { return 0 };
         let (x, y) = row_origin(s, planes);
@@ -82,7 +82,7 @@ stage! {
         hiz_cull(w.band, s, &slope, x, Func::from_arg(arg >> 1))
     }
 
-    /// Tells what a row has left behind.
+    /// Updates hierarchical depth after a row was drawn.
     pub fn HIZ_UPDATE: LongFn = (_b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, s: &Segment, _arg: u32) -> u32 {
         hiz_update(w.band, s, s.len as usize);
         s.len

@@ -132,7 +132,7 @@ impl FragmentKey {
         self.is_packed() && self.colors == ColorWrites::All && !self.tests.any()
     }
 
-    /// What keeps spans from a kernel of their own, if anything does.
+    /// Why there is no span kernel, if something rules it out.
     pub fn span_obstacle(&self) -> Option<&'static str> {
         let blends = !matches!(self.blend, None | Some(Blending::Pair(_)));
         let rows: [(bool, &'static str); 10] = [
@@ -148,7 +148,7 @@ impl FragmentKey {
             (blends, "this blending has no loop of its own"),
         ];
         let written = self.colors != ColorWrites::Nothing;
-        // Without a colour what follows it is of no account.
+        // The rows from the sixth on are about colours, which need not be written.
         rows.iter().take(if written { 10 } else { 5 }).find(|(holds, _)| *holds).map(|(_, reason)| *reason)
     }
 }

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! so the greatest and the least of |K_x|, |K_y| and D follow from the two ends. What rounding may add, here and in the
-//! derivatives that are not worked out, widens the limits. They are asked for once for several batches of a run: for all of
-//! it, or for as much as was of use before.
+//! derivatives that are not worked out, widens the limits. They are computed once for several batches of a row: for all
+//! of it, or for as many pixels as they were of use for before.
 
 use super::mip_range::{Axis, LodLookahead, MipRange, MipWeight};
 use super::planes::Unit;
@@ -18,12 +18,13 @@ use crate::simd::LANES;
 use crate::texture::batch::{Derivatives, TexBatch};
 use crate::texture::rho_ranges::RhoRanges;
 
-/// What rounding leaves of sums and products of this many parts, generously: of `f64` (1/D has 2^-45) and of `f32`.
+/// Bounds of the relative error of sums and products with this many terms, with a margin: in `f64` (1/D has 2^-45) and
+/// in `f32`.
 const LOST_WIDE: f64 = 1.0 / (1u64 << 40) as f64;
 const LOST: f64 = 1.0 / (1u64 << 18) as f64;
-/// What rounding leaves of the squares of rho, which are `f32` everywhere.
+/// The same for the squares of rho, which are `f32` everywhere.
 const LOST_RHO: f64 = 1.0 / (1u64 << 18) as f64;
-/// For how many pixels limits are asked for at most.
+/// For how many pixels limits are computed at most.
 const FARTHEST: u32 = 4096;
 
 /// Pixels of some rows relative to the primitive's origin, both ends included.
@@ -139,8 +140,8 @@ pub fn of_row<const K: usize>(
     }
 }
 
-/// What the next pixels of a run read, of which so many are left from (x, y) on, and how many do; `None` where limits do not
-/// tell for as many as a batch has.
+/// The levels that the next pixels of a row read, and how many pixels that holds for. The row has `left` pixels from
+/// (x, y) on. `None` where limits do not determine the levels of as many pixels as a batch has.
 #[inline(always)]
 pub fn part<const K: usize>(
     lookahead: &mut LodLookahead,
@@ -164,14 +165,15 @@ pub fn part<const K: usize>(
     }
 }
 
-/// So many pixels from (x, y) on.
+/// The span of so many pixels from (x, y) on.
 #[inline(always)]
 fn along(x: i32, y: i32, pixels: u32) -> Span {
     let (x, y) = (f64::from(x), f64::from(y));
     Span { x: [x, x + f64::from(pixels.saturating_sub(1))], y: [y; 2] }
 }
 
-/// What the pixels read whose x and y, relative to the primitive's origin, are in these limits; `None` where nothing tells.
+/// The levels that pixels read whose x and y, relative to the primitive's origin, are in these limits; `None` where
+/// bounds do not determine them.
 #[inline(always)]
 pub fn of_rows<const K: usize>(
     b: &TexBatch,
@@ -182,7 +184,7 @@ pub fn of_rows<const K: usize>(
     reads::<K, true>(b, unit, Span { x: x.map(f64::from), y: y.map(f64::from) }, levels)
 }
 
-/// The levels that the pixels of a span read, if limits tell.
+/// The levels that the pixels of a span read, if limits determine them.
 #[inline(never)]
 fn reads<const K: usize, const SEVERAL: bool>(
     b: &TexBatch,
@@ -190,7 +192,8 @@ fn reads<const K: usize, const SEVERAL: bool>(
     span: Span,
     levels: &RhoRanges,
 ) -> Option<MipRange> {
-    // One lambda for all, on a step between two levels or not: as it is for an image in its own size.
+    // Lambda is the same in all pixels, and is computed: bounds would not do where it lies exactly on the step between
+    // two levels, as it does for an image that is drawn in its own size.
     if unit.is_even()
         && let Some((level, share)) = levels.exactly(even_rho2(unit, levels))
     {

@@ -1,5 +1,5 @@
-//! Which mipmap levels the pixels of a part of a row read, and what is remembered of that from one part of a row to the
-//! next (OpenGL 1.5, section 3.8.8). `lod_bounds` finds it out.
+//! Which mipmap levels the pixels of a part of a row read, and what is kept of that from one part of a row to the next
+//! (OpenGL 1.5, section 3.8.8). `lod_bounds` computes both.
 
 use crate::limits::MAX_TEXTURE_UNITS;
 
@@ -10,7 +10,7 @@ pub enum Axis {
     X,
     /// Along y.
     Y,
-    /// Now the one, now the other.
+    /// Along x for some pixels, along y for others.
     Either,
 }
 
@@ -37,11 +37,11 @@ pub enum MipRange {
 pub struct LodLookahead {
     /// Pixels from the batch's first one to the end of the row; 0 where the batch is no part of one.
     pub left: u32,
-    /// For each unit the level of the next pixels, and how many are left of the row when it is no more known.
+    /// For each unit the level of the next pixels, and how many pixels of the row are left where it is known no longer.
     pub levels: [(u32, u32); MAX_TEXTURE_UNITS],
-    /// For each unit for how many pixels to ask the next time.
+    /// For each unit for how many pixels to compute bounds the next time.
     pub reach: [u32; MAX_TEXTURE_UNITS],
-    /// Bit u: levels of unit u are blended here, and more will be.
+    /// Bit u: unit u blends two levels in this row, so that its bounds are not computed again before the row ends.
     pub blended: u32,
 }
 

@@ -1,6 +1,6 @@
 //! What is interpolated across a primitive. A [`Layout`] says which values a draw needs and in which slot each stands;
 //! the vertex stages write the slots, setup turns them into planes, fragments evaluate the planes. What the fragment plan
-//! does not need has no slot, so nobody computes it.
+//! does not need has no slot, so it is not computed.
 //!
 //! With b0, b1, b2 the barycentric coordinates in the window and r_i = w_ref / w_i (w_ref the least w, so 0 < r_i <= 1):
 //!

@@ -109,7 +109,7 @@ pub struct Program {
     pub(super) raises_depth: bool,
     pub(super) samplers: Vec<Sampler>,
     pub(super) environments: Option<EnvPlan>,
-    /// Where what is done is counted, if somebody wants to know.
+    /// Where what is done is counted, if counting is on.
     pub(super) tally: Option<Tally>,
 }
 
@@ -209,7 +209,8 @@ impl Program {
         planes.member.is_none() && colors.is_some_and(|colors| constant(colors).is_some())
     }
 
-    /// Works on rows of one primitive, the segments of the batch; gives whether it has: otherwise they must come one by one.
+    /// Draws rows of one primitive, which are the segments of the batch. Returns false, and draws nothing, where they
+    /// must come one by one.
     #[inline]
     pub fn rows<'a>(
         &self,
@@ -237,8 +238,8 @@ impl Program {
         done
     }
 
-    /// Works on pixels of one primitive and row, from its start on as many as pay: the rest, whose number is less than
-    /// [`row_from`](Self::row_from) as a rule, must come in batches. Returns how many it has done.
+    /// Draws pixels of one row of a primitive, from its start on as many as pay. The rest, as a rule fewer than
+    /// [`row_from`](Self::row_from), must come in batches. Returns how many pixels are drawn.
     #[inline]
     pub fn row<'a>(
         &self,
@@ -262,23 +263,24 @@ impl Program {
         done
     }
 
-    /// A row whose parts go now to the kernel, now through a batch.
+    /// Draws a row in parts: some by the kernel, the others through batches.
     fn row_in_parts(&self, batch: &mut FragmentBatch, run: Segment, work: &mut Work<'_, '_>) -> u32 {
         let len = run.len;
-        // For all of a row as well: a copy of it in one piece is read by parts, which has to wait for it.
+        // Built field by field for a whole row as well: fields of a struct that was just copied are read slowly, since
+        // each read waits until the wide stores of the copy have reached the cache.
         let rest = |done: u32| {
             let (x, offset) = (run.x.wrapping_add(done as i32), run.offset.wrapping_add(done));
             Segment { start: 0, len: len - done, x, offset, row: true, ..run }
         };
         let (mut done, mut kernel) = (0, self.span.as_ref());
         if let (Some(_), Some(hiz)) = (kernel, &self.hiz) {
-            // Before anything is worked out for a row that may be hidden as a whole.
+            // First of all, since the whole row may be hidden.
             done = self.hiz_cull(hiz, batch, &rest(0), work);
             if done == len {
                 return len;
             }
         }
-        // The first pixel that went through a batch, and the first after those that did.
+        // The first pixel that went through a batch, and the first one after the last batch.
         let (mut first, mut last) = (len, 0);
         batch.alive = false;
         batch.lookahead.begin(len - done);
@@ -287,7 +289,7 @@ impl Program {
                 let filled = self.span_step(&span.long, batch, &rest(done), work);
                 batch.lookahead.advance(filled);
                 done += filled;
-                // What was in its way for one batch may not be for the next one, where it has to know the level.
+                // Where bounds of rho choose the mipmap levels, the kernel may draw what follows the next batch.
                 kernel = kernel.filter(|kernel| kernel.resumes);
             }
             if len - done < OWN_BATCH_FROM {
@@ -296,7 +298,7 @@ impl Program {
             if let Some(hiz) = &self.hiz
                 && !batch.alive
             {
-                // At the start of the row and where nothing was alive, something may be hidden.
+                // At the start of the row and after a batch that failed the test, more pixels may be hidden.
                 let skipped = self.hiz_cull(hiz, batch, &rest(done), work);
                 batch.lookahead.advance(skipped);
                 done += skipped;
@@ -325,7 +327,7 @@ impl Program {
         done
     }
 
-    /// A step over a row, of which it does some pixels from the start on; says how many.
+    /// Runs a step over a row. Returns how many pixels it has done, from the row's start on.
     #[inline]
     fn step(&self, step: &Step<LongFn>, batch: &mut FragmentBatch, run: &Segment, work: &mut Work<'_, '_>) -> u32 {
         #[expect(unsafe_code, reason = "the level was checked when the program was built")]
@@ -334,7 +336,7 @@ impl Program {
         done.min(run.len)
     }
 
-    /// The kernel over a row.
+    /// Runs the kernel over a row and counts its pixels.
     #[inline]
     fn span_step(&self, step: &Step<LongFn>, batch: &mut FragmentBatch, run: &Segment, work: &mut Work<'_, '_>) -> u32 {
         let done = self.step(step, batch, run, work);
@@ -354,7 +356,7 @@ impl Program {
         hidden
     }
 
-    /// Counts for the span path, where somebody wants to know.
+    /// Counts for the span path, if counting is on.
     #[inline]
     fn counts(&self) -> Option<SpanCounts> {
         self.tally.as_ref().map(|_| SpanCounts::default())
@@ -379,7 +381,7 @@ impl Program {
         names
     }
 
-    /// The names of the kernels that do rows of a primitive instead: long ones, and short ones together.
+    /// The names of the span kernels that take the place of these stages: that of long rows, then that of short ones.
     #[must_use]
     pub fn span_names(&self) -> Vec<&'static str> {
         let kernel = self.span.iter();

@@ -1,4 +1,4 @@
-//! What the fragment stages are told: the numbers of the state, already in the form in which the stages use them. Which
+//! What the fragment stages read: the numbers of the state, already in the form in which the stages use them. Which
 //! stages run is the program's matter; nothing here selects code apart from table indices.
 
 use super::batch::{FragmentBatch, Segment};
@@ -64,7 +64,7 @@ pub struct StencilUniforms {
 /// The numbers of blending.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BlendUniforms {
-    /// SpanShader factors of RGB and alpha.
+    /// Source factors of RGB and alpha.
     pub src: [BlendFactor; 2],
     /// Destination factors of RGB and alpha.
     pub dst: [BlendFactor; 2],
@@ -83,18 +83,18 @@ pub struct Work<'a, 'b> {
     pub pool: PlanePool<'a>,
     /// The rows that are drawn into.
     pub band: &'a mut Band<'b>,
-    /// What span kernels have done, if somebody counts.
+    /// What span kernels have done, if counting is on.
     pub counts: Option<SpanCounts>,
 }
 
 /// What span kernels have done.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpanCounts {
-    /// Pixels that came.
+    /// Pixels of the rows that the kernels have done.
     pub fragments: u64,
     /// Pixels that passed all tests.
     pub passed: u64,
-    /// Pixels that hierarchical depth has hidden before.
+    /// Pixels that hierarchical depth has hidden, which no kernel has seen.
     pub hidden: u64,
     /// The sums of their costs.
     pub cost: PixelCost,
@@ -148,7 +148,7 @@ impl<'a> Work<'a, '_> {
         }
     }
 
-    /// Pixels that passed so far, if somebody counts.
+    /// How many pixels have passed so far, if counting is on.
     #[inline(always)]
     pub fn passed(&self) -> u64 {
         self.counts.map_or(0, |counts| counts.passed)

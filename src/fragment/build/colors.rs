@@ -1,5 +1,5 @@
-//! The part of a program that makes the fragment's colour: interpolation, colour sum, fog, coverage (texturing is next
-//! door); and with it the layout, since every stage that interpolates takes its slots where it is placed.
+//! The part of a program that makes the fragment's colour: interpolation, colour sum, fog, coverage (texturing is in
+//! `texturing.rs`); and with it the layout, since every stage that interpolates takes its slots where it is placed.
 
 use super::Builder;
 use crate::fragment::key::{FogFactor, FragmentKey};

@@ -50,7 +50,7 @@ impl<F> Display for Names<'_, F> {
 }
 
 impl Program {
-    /// The program for a state. `textures` are the complete textures of the units that have texturing on, their rings
+    /// The program for a state. `textures` are the complete textures of the units that have texturing on, their padding
     /// filled ([`crate::texture::sampler::prepare`]).
     #[must_use]
     pub fn build(
@@ -165,7 +165,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Tells the stages of texture coordinates for whom to keep 1 / D.
+    /// Sets the flags of the stages of texture coordinates that say which later stages read the 1 / D that they
+    /// compute.
     fn reciprocals(&mut self) {
         let units = self.program.layout.units;
         let divides = |arg: u32| units.get(texcoord::unit_of(arg)).is_some_and(|u| u.is_some_and(|u| !u.has_q));

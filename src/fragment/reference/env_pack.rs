@@ -28,7 +28,7 @@ pub fn env_pack(unit: usize, [color, alpha]: [EnvStep; 2], flags: u32) -> u32 {
     flags | (unit as u32) << 2 | (color as u32) << 8 | (alpha as u32) << 10
 }
 
-/// The bits to be set in a pixel once alpha is not looked at any more.
+/// The bits to be set in a pixel when no later stage reads its alpha.
 #[inline(always)]
 fn or(u: &FragUniforms, arg: u32) -> u32 {
     if arg & TESTED == 0 { u.packed_or } else { 0 }

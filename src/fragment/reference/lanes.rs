@@ -84,7 +84,7 @@ pub fn before_lane(i: usize) -> &'static [u32; CHUNK] {
 /// The pieces of a segment.
 #[inline(always)]
 pub fn pieces(segment: &Segment) -> Pieces {
-    // `sanitise` has seen to it that the segment ends within the batch.
+    // After `sanitise` the segment ends within the batch.
     Pieces { first: segment.start as usize, end: segment.start as usize + segment.len as usize }
 }
 
@@ -111,15 +111,15 @@ impl Iterator for Pieces {
     }
 }
 
-/// Cuts segments that reach beyond the batch, and notes whether there are only scattered lanes. What a careful rasteriser
-/// hands over stays as it is; the stages that follow rely on it.
+/// Cuts segments that reach beyond the batch, and notes whether there are only scattered lanes. Segments of a
+/// correct rasteriser are not changed; the stages that follow rely on it.
 #[inline(always)]
 pub fn sanitise(b: &mut FragmentBatch) {
     let count = if b.segment_count > LANES { LANES } else { b.segment_count };
     b.segment_count = count;
     let mut scattered = true;
     for segment in &mut b.segments[..count] {
-        // Written only where it must be: what was just written is read again at once.
+        // Written only where it must be: the next stage reads it at once and would wait for the store.
         let room = (LANES as u32).saturating_sub(segment.start);
         if segment.start > LANES as u32 || segment.len > room {
             segment.start = segment.start.min(LANES as u32);

@@ -1,5 +1,5 @@
-//! Lanes of a batch out of the framebuffer and back. Row segments are runs of memory; other lanes are found one by one.
-//! Nothing is read or written outside the band, whatever the segments say.
+//! Reading the pixels of a batch from the framebuffer, and writing them. A row segment is contiguous memory; scattered
+//! lanes are read and written one by one. Nothing is read or written outside the band, whatever the segments say.
 
 use crate::fragment::batch::{FragmentBatch, Segment};
 use crate::fragment::compare::{all, ones};

@@ -72,7 +72,7 @@ struct Coordinate<T> {
     d: [T; 2],
     /// Nothing is divided.
     undivided: bool,
-    /// The derivatives are those of the numerator, or are not asked for where this is `None`.
+    /// The derivatives are those of the numerator; `None` where derivatives are not needed.
     derivatives: Option<bool>,
 }
 
@@ -222,7 +222,7 @@ pub fn whole<const K: usize>(
     }
 }
 
-/// A coordinate of a piece, and its derivatives if they are asked for. `d`: how D, or Q, changes in x and y.
+/// A coordinate of a piece, and its derivatives if they are needed. `d`: how D, or Q, changes in x and y.
 #[inline(always)]
 fn write_piece<T: Real>(
     b: &mut FragmentBatch,

@@ -108,8 +108,8 @@ pub struct SpanKernel {
     pub short_below: u32,
     /// About what a pixel costs, in pixels of one colour.
     pub pixel: u64,
-    /// Whether a row that it leaves may be its own again after a batch: there are mipmap levels, and bounds may tell which of
-    /// the rest of the row.
+    /// Whether the kernel may go on with a row after a batch: there are mipmap levels, and bounds that do not determine
+    /// the levels of some pixels may determine those of the rest.
     pub resumes: bool,
     /// Why it is there.
     pub reason: &'static str,
@@ -143,7 +143,7 @@ impl SpanKernel {
         let depth = key.tests.depth.map_or(0, |func| DEPTH | (func as u32) << 1 | write);
         let color = if has_color && shows == Shows::Color { COLOR } else { 0 };
         let arg = depth | color;
-        // Rows of one colour are not slow by themselves: they wait for depths.
+        // Short rows of the primary colour gain from being done together only by waiting for their depths at once.
         let short = row.short.filter(|_| shows != Shows::Color || depth != 0 && has_color);
         Ok(Self {
             shows,
@@ -196,7 +196,7 @@ fn long_color(u: &FragUniforms, w: &mut Work<'_, '_>, segment: &Segment, planes:
         }
         return segment.len;
     }
-    // Apart, so that neither loop asks of which kind it is.
+    // One call for each kind, so that no loop tests which kind it is.
     match color {
         Some(PackedColor::Flat(packed)) => whole_row(u, w, (segment, planes), arg, Some(&FlatColor(packed))),
         Some(PackedColor::Smooth(smooth)) => whole_row(u, w, (segment, planes), arg, Some(&smooth)),

@@ -20,7 +20,8 @@ use crate::simd::{LANES, PixelCost};
 pub const DEPTH: u32 = 1 << 4;
 pub const COLOR: u32 = 1 << 5;
 
-/// From this length on it pays to look at the depths that a row leaves behind: whole blocks, for the sake of other rows.
+/// From this length on, in pixels, hierarchical depth is updated after a row. It reads the depths of whole blocks,
+/// which pays only where it lets later rows be skipped.
 const HIZ_UPDATE_FROM: usize = 32;
 /// Pixels of the last blocks of a row.
 const SHORT: usize = 16;
@@ -99,7 +100,7 @@ impl<S: SpanShader> Row<'_, S> {
             mask = if n == N { [u32::MAX; N] } else { lanes(n) };
             if let Some((z, func, writes, buffer)) = depth {
                 compare(func, &z, buffer, &mut mask);
-                // Of a few pixels it takes longer to know than to go on.
+                // In a block of 16 pixels the question costs more than going on.
                 if N > SHORT && living(&mask) == 0 {
                     return Block::Dead;
                 }
@@ -179,7 +180,7 @@ pub fn whole_row<S: SpanShader>(
 }
 
 /// The part of a row, with `left` pixels from (x, y) on, that reads the same mipmap levels, and these; `None` at the end, and
-/// where there are levels and no bounds tell which.
+/// where there are levels and bounds do not determine which.
 #[inline(always)]
 fn next_part<const K: usize>(
     b: &mut FragmentBatch,

@@ -26,7 +26,7 @@ enum Lambda<const K: usize> {
     Two([Slope<K>; 2]),
 }
 
-/// What all blocks of a run need to find the weight of the second of two levels.
+/// What all blocks of a part of a primitive need to find the weight of the second of two levels.
 pub struct MipFraction<const K: usize> {
     lambda: Lambda<K>,
     scale: [f32; K],
@@ -52,7 +52,7 @@ pub fn even_rho2<const K: usize>(unit: &Unit<'_, K>, levels: &RhoRanges) -> f32 
 }
 
 impl<const K: usize> MipFraction<K> {
-    /// For a part of a run that reads `level` and so much of the next one.
+    /// For a part of a primitive that reads `level` and the next one, whose weight comes from `weight`.
     #[inline(always)]
     pub fn new(unit: &Unit<'_, K>, levels: &RhoRanges, level: u32, weight: MipWeight) -> Option<Self> {
         let (mut x, mut y) = (Slope { n: [0.0; K], d: unit.divisor.x }, Slope { n: [0.0; K], d: unit.divisor.y });

@@ -44,8 +44,8 @@ impl<'a> SpanSource<2> for &'a NearestTexture {
 }
 
 impl<'a> NearestTexels<'a> {
-    /// The texels, of a level, of a run; `None` where something is not as it is as a rule: coordinates that are not finite or
-    /// too far from 0 for the simple wrap.
+    /// The texels of a mipmap level; `None` where coordinates may not be finite, or are too far from 0 for the simple
+    /// wrap.
     #[inline(always)]
     fn new(unit: &Unit<'_, 2>, image: &'a WrappedImage<2>, level: u32, extent: Extent, or: u32) -> Option<Self> {
         let (level, repeats) = (image.levels.get(level as usize)?, image.repeats);
@@ -97,7 +97,7 @@ impl SpanShader for NearestTexels<'_> {
     #[inline(always)]
     fn pixels<const N: usize, P: Positions<N>>(&self, at: P, _below: &[u32; N], out: &mut [u32; N]) {
         let index = self.indices(at);
-        // As copies: the compiler cannot tell that what is written is not read from here.
+        // Copied out of `self`: the compiler cannot prove that writing pixels leaves these fields as they are.
         let (texels, or) = (self.texels, self.or);
         if P::IS_ROW
             && let Projection::Even(_) = self.projection

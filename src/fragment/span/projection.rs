@@ -9,7 +9,8 @@ use crate::fragment::planes::{Plane, Unit};
 use crate::num::max_f32;
 use crate::texture::wrap::bounded::CoordBounds;
 
-/// What rounding leaves of sums, products and quotients of this many parts in `f64`, generously (1 / D has 2^-45).
+/// A bound of the relative error of sums, products and quotients with this many terms in `f64`, with a margin (1 / D
+/// has 2^-45).
 const LOST: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// Whether the limits of a plane change nothing in a range of a row, rounding included. With D > 0 the value rises or falls
@@ -54,7 +55,7 @@ impl<const K: usize> Projection<K> {
         if unit.wide {
             let planes = unit.coords.each_ref().map(|p| PlaneEval::<f64>::new(p, row));
             let d = LinearEval::new(&unit.divisor, row);
-            // Of several rows nobody has asked.
+            // For several rows it is not checked.
             let mut inside = false;
             if let Extent::Row(range) = extent {
                 let terms = unit.divisor.at.abs() + (unit.divisor.y * f64::from(range.y)).abs();

@@ -20,16 +20,16 @@ use crate::simd::{BITS, LANES};
 
 /// Pixels whose depth is tested at a time.
 const STEP: usize = 16;
-/// Pixels that are tested and painted at a time where colours are not gathered: loops over 16 are unrolled before they become
-/// SIMD code.
+/// Pixels that are tested and coloured at a time where pixels are not gathered: loops over 16 are unrolled before they
+/// become SIMD code.
 const WIDE: usize = 32;
 /// Pixels that are filtered at a time where few are left.
 const FEW: usize = 16;
 /// Depths of a cache line.
 const LINE: usize = 16;
-/// Rows from this length on, in pixels, are looked for in hierarchical depth.
+/// Rows from this length on, in pixels, are tested against hierarchical depth.
 const HIZ_FROM: u32 = 64;
-/// What a list holds: up to 64 pixels, and what a step may add.
+/// The capacity of a list: up to 64 pixels, and what a step may add.
 const ROOM: usize = LANES + STEP + 8;
 
 /// A list of pixels that are alive.
@@ -124,7 +124,7 @@ struct Test {
 }
 
 impl Test {
-    /// That of a stage's number.
+    /// The test in a kernel's argument, if there is one.
     #[inline(always)]
     fn new(arg: u32) -> Option<Self> {
         (arg & DEPTH != 0).then(|| Self { func: Func::from_arg(arg >> 1), writes: arg & WRITE != 0 })
@@ -207,8 +207,8 @@ fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_
     }
 }
 
-/// Reads a depth of each cache line that rows will read. Processors foresee what comes next in a row, but not where the next
-/// one begins: so that is not waited for row by row, but for all rows at once.
+/// Reads one depth of each cache line that the rows cover. Processors prefetch along a row but cannot foresee where the
+/// next row begins; read beforehand, the cache misses of all rows overlap.
 #[inline(always)]
 fn touch(rows: &[Segment], depth: &[u32]) {
     let mut sum = 0u32;

@@ -75,7 +75,7 @@ fn moving_a_primitive_by_whole_pixels_changes_nothing() {
     }
 }
 
-/// Coordinates and derivatives of pixels `x..x + n` of row y, by rows or by dense lanes.
+/// Coordinates and derivatives of pixels `x..x + n` of row y, by rows or by scattered lanes.
 fn coordinates(
     level: Level,
     slots: UnitSlots,

@@ -1,5 +1,6 @@
 //! Tests of the fragment room. This file has what they share: random numbers, primitives given by their planes, and three
-//! ways to bring the same fragments to a program (batches of rows, one batch a row, dense lanes), which must not matter.
+//! ways to bring the same fragments to a program (batches of rows, one batch a row, scattered lanes), which must not
+//! matter.
 
 mod equations;
 mod interpolation;
@@ -82,13 +83,13 @@ pub(super) enum Feed {
     Rows,
     /// Row segments, each in a batch of its own.
     SingleRows,
-    /// Dense lanes, batches filled to the end.
+    /// Scattered lanes, batches filled to the end.
     Dense,
-    /// Rows and dense lanes in turn.
+    /// Rows and scattered lanes in turn.
     Mixed,
-    /// Whole runs as far as the program takes them, then dense lanes.
+    /// Whole rows as far as the program takes them, then scattered lanes.
     Runs,
-    /// Rows of a primitive together, cut in two somewhere, if the program takes them, else dense lanes.
+    /// Rows of a primitive together, cut in two somewhere, if the program takes them, else scattered lanes.
     Together,
 }
 
