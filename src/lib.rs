@@ -30,9 +30,15 @@
 //! sentence with the file and line of the call. It also hears why a texture is incomplete.
 //!
 //! # What is where
-//! [`args`] has the types of arguments, [`enums`] GL's constants, [`glu`] mipmaps, projections and quadrics, [`explain`]
-//! the plan of a state and counters of what was done, [`math`] sine and cosine that are the same everywhere. With the
-//! features `image` and `tobj`, `image_io` and `obj` read textures and meshes from files.
+//! - [`Context`], [`c`]: the commands as methods and under their C names; `capi`: the exported symbols (feature `capi`)
+//! - [`args`], [`enums`]: types of arguments, GL's constants
+//! - [`glu`]: mipmaps, image scaling, projections, quadrics
+//! - [`explain`]: which stages and which span kernel the present state needs and why, counters of what was done
+//! - [`math`]: sine and cosine that are the same everywhere
+//! - `image_io`, `obj`: textures and meshes from files (features `image` and `tobj`)
+//!
+//! All else is private. The repository's `ARCHITECTURE.md` is a map of it on one page: a call passes `context`, `vertex`,
+//! `raster` and `fragment` (with `texture`), and ends in `framebuffer`.
 //!
 //! The pages of [`spec_notes`] tell how each chapter of the specification is done; begin with
 //! [how a vertex becomes a pixel](spec_notes::how_a_vertex_becomes_a_pixel).

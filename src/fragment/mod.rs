@@ -1,5 +1,7 @@
 //! What happens to a fragment (OpenGL 1.5, sections 3.8 to 3.10 and chapter 4): interpolation, texturing, colour sum, fog,
-//! tests, blending and the store into the framebuffer, as a plan of stages over batches of 64 fragments.
+//! tests, blending and the store into the framebuffer. Two paths give the same bits: `reference`, stages over batches of 64
+//! fragments, which does everything, and `span`, kernels for rows of a primitive in states that are drawn often. `build`
+//! makes both from a `key`.
 
 pub mod batch;
 mod build;
