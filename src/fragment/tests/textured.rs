@@ -1,4 +1,4 @@
-//! Programs with textures: what is left out changes no bit either, q included, and the pieces meet at the right place.
+//! Programs with textures: what is left out changes no bit either, q included, and texels reach the right pixels.
 
 use super::{Corners, Feed, Random, Scene, contents, draw, pixel};
 use crate::enums::*;
