@@ -6,7 +6,7 @@
 //!
 //! ```no_run
 //! use fixedgl::{Context, image_io};
-//! # fn main() -> Result<(), fixedgl::error::FileError> {
+//! # fn main() -> Result<(), fixedgl::FileError> {
 //! let mut cx = Context::new(640, 480);
 //! let picture = image_io::Picture::open("brick.png")?;
 //! picture.build_mipmaps(&mut cx, fixedgl::enums::GL_TEXTURE_2D);

@@ -37,7 +37,7 @@ fn profiled_frame(gl: &mut Context, draw: Draw, count: u32) {
 
 /// The frames of all rows: what runs under callgrind.
 pub fn draw_counted(options: &Options) {
-    let config = Config { level: options.level, threads: 1, ..Config::default() };
+    let config = Config::default().with_level(options.level).with_threads(1);
     for row in ROWS {
         for draw in [row.near_miss, row.left_out] {
             let mut gl = Context::with_config(SIZE, SIZE, config);

@@ -36,7 +36,7 @@ fn stage(options: &Options, size: u32) -> Stage {
 }
 
 fn threaded(options: &Options, size: u32, threads: usize) -> Stage {
-    Stage::new(size, Config { threads, level: options.level, ..Config::default() })
+    Stage::new(size, Config::default().with_threads(threads).with_level(options.level))
 }
 
 /// The least time of a frame, the first one not counted.

@@ -58,7 +58,7 @@ pub fn timed(stage: &mut Stage, draw: impl FnOnce(&mut Stage)) -> f64 {
 
 /// A scene set up, its first frame drawn.
 pub fn prepare(scene: &Scene, options: &Options, threads: usize) -> (Stage, f64) {
-    let config = Config { threads, level: options.level, ..Config::default() };
+    let config = Config::default().with_threads(threads).with_level(options.level);
     let mut stage = Stage::new(options.size, config);
     (scene.set_up)(&mut stage);
     let first = frame(scene, &mut stage, 1);

@@ -103,7 +103,7 @@ impl Ours {
         let mut format = FramebufferFormat::default();
         format.color_bits = if float { [32; 4] } else { [8; 4] };
         format.float = float;
-        let config = Config { level: self.level, threads: 1, format, ..Config::default() };
+        let config = Config::default().with_level(self.level).with_threads(1).with_format(format);
         Context::with_config(size[0], size[1], config)
     }
 }

@@ -5,20 +5,31 @@
 /// The types that a slice argument can hold: GL's own scalars.
 pub use crate::num::Scalar as Element;
 
+/// Keeps the traits of this file to the types that GL's arguments have: more may come without breaking anybody.
+mod sealed {
+    /// A type that stands for a scalar argument.
+    pub trait Scalar {}
+    /// A type that stands for an array argument of `T`.
+    pub trait Array<T> {}
+}
+
+macro_rules! scalars { ($($t:ty)*) => { $(impl sealed::Scalar for $t {})* }; }
+scalars!(bool u8 i32 u32 i64 u64 isize usize f32 f64);
+
 /// A `GLint` that C programs also feed with enumerants and booleans.
-pub trait IntoInt {
+pub trait IntoInt: sealed::Scalar {
     /// The value as `GLint`, bit for bit.
     fn into_int(self) -> i32;
 }
 
 /// A `GLfloat` that C programs also feed with enumerants and integers.
-pub trait IntoFloat {
+pub trait IntoFloat: sealed::Scalar {
     /// The value as `GLfloat`.
     fn into_float(self) -> f32;
 }
 
 /// A size or an offset in bytes: whatever integer the program has it in. What does not fit is -1, which no command takes.
-pub trait IntoSize {
+pub trait IntoSize: sealed::Scalar {
     /// The value as `GLsizeiptr`.
     fn into_size(self) -> isize;
 }
@@ -30,7 +41,7 @@ macro_rules! sizes { ($($t:ty)*) => { $(impl IntoSize for $t {
 sizes!(i32 u32 i64 u64 isize usize);
 
 /// A `GLboolean`: `true`, `GL_TRUE` or any number that is not zero.
-pub trait IntoBool {
+pub trait IntoBool: sealed::Scalar {
     /// Whether the value is not zero.
     fn into_bool(self) -> bool;
 }
@@ -66,13 +77,13 @@ impl IntoFloat for f64 {
 }
 
 /// An array argument that a command reads: a slice, a `Vec`, an array, nested arrays, or one value.
-pub trait InSlice<T> {
+pub trait InSlice<T>: sealed::Array<T> {
     /// The values in the order of memory.
     fn slice(&self) -> &[T];
 }
 
 /// An array argument that a command writes: a slice, a `Vec` as long as it is, an array, nested arrays, or one variable.
-pub trait OutSlice<T> {
+pub trait OutSlice<T>: sealed::Array<T> {
     /// The places in the order of memory.
     fn slice_mut(&mut self) -> &mut [T];
 }
@@ -80,6 +91,7 @@ pub trait OutSlice<T> {
 macro_rules! slices {
     ($([$($generic:tt)*] $t:ty: $v:ident => $read:expr, $write:expr;)*) => {
         $(
+            impl<T: Element $($generic)*> sealed::Array<T> for $t {}
             impl<T: Element $($generic)*> InSlice<T> for $t { #[inline] fn slice(&self) -> &[T] { let $v = self; $read } }
             impl<T: Element $($generic)*> OutSlice<T> for $t {
                 #[inline]

@@ -4,8 +4,9 @@
 use crate::framebuffer::FramebufferFormat;
 use crate::simd::{LANES, Level};
 
-/// How a context runs.
+/// How a context runs: `Config::default().with_threads(1)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Config {
     /// The instruction set of the stages. A level that the processor lacks is lowered to one that it has.
     pub level: Level,
@@ -43,6 +44,36 @@ impl Config {
         let threads = value("FIXEDGL_THREADS").and_then(|v| v.trim().parse().ok()).unwrap_or(default.threads);
         let level = value("FIXEDGL_SIMD").and_then(|v| Level::from_name(v.trim())).unwrap_or(default.level);
         Self { level, threads, ..default }.checked()
+    }
+
+    /// The same with another instruction set.
+    #[must_use]
+    pub const fn with_level(self, level: Level) -> Self {
+        Self { level, ..self }
+    }
+
+    /// The same with another number of threads.
+    #[must_use]
+    pub const fn with_threads(self, threads: usize) -> Self {
+        Self { threads, ..self }
+    }
+
+    /// The same with batches of at most so many fragments.
+    #[must_use]
+    pub const fn with_batch_cut(self, batch_cut: usize) -> Self {
+        Self { batch_cut, ..self }
+    }
+
+    /// The same with every stage running, or only those that the state needs.
+    #[must_use]
+    pub const fn with_general_plan(self, general_plan: bool) -> Self {
+        Self { general_plan, ..self }
+    }
+
+    /// The same with other buffers.
+    #[must_use]
+    pub const fn with_format(self, format: FramebufferFormat) -> Self {
+        Self { format, ..self }
     }
 
     /// The same with every number in its range.

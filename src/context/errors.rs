@@ -10,6 +10,7 @@ use std::panic::Location;
 
 /// The first error since the last question, with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Error {
     /// The code that `glGetError` reports.
     pub code: GLenum,
@@ -34,6 +35,7 @@ impl std::error::Error for Error {}
 
 /// What the debug callback gets.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct DebugMessage<'a> {
     /// [`GL_DEBUG_SOURCE_API`].
     pub source: GLenum,

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 /// One call of a command.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Call {
     /// The command's name in C.
     pub name: &'static str,

@@ -5,7 +5,7 @@
 //! is one set of vertex arrays with a list of indices for each run of faces of one material.
 //!
 //! ```no_run
-//! # fn main() -> Result<(), fixedgl::error::FileError> {
+//! # fn main() -> Result<(), fixedgl::FileError> {
 //! let mut cx = fixedgl::Context::new(640, 480);
 //! let model = fixedgl::obj::Obj::open("teapot.obj")?;
 //! model.draw_with(&mut cx, |cx, material| {

@@ -10,7 +10,7 @@ use fixedgl::explain::Explanation;
 
 /// Draws a scene; the picture, the counters and the plan.
 fn run(row: &Row, draw: Draw, general_plan: bool) -> (Vec<u8>, Counters, Explanation) {
-    let config = Config { threads: 1, general_plan, ..Config::default() };
+    let config = Config::default().with_threads(1).with_general_plan(general_plan);
     let mut gl = Context::with_config(64, 64, config);
     gl.clear_color(0.2, 0.4, 0.6, 0.8);
     gl.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -42,7 +42,7 @@ fn each_elision_leaves_its_work_out_and_no_near_miss_is_taken_for_it() {
 fn counting_changes_no_byte() {
     for row in ROWS {
         let draw = |counting: bool| {
-            let mut gl = Context::with_config(64, 64, Config { threads: 2, ..Config::default() });
+            let mut gl = Context::with_config(64, 64, Config::default().with_threads(2));
             (row.state)(&mut gl);
             gl.set_counting(counting);
             (row.near_miss)(&mut gl);

@@ -83,8 +83,8 @@ fn the_general_plan_gives_the_same_bytes() {
 fn cases(round: u64, levels: &[SimdLevel]) -> u64 {
     let mut r = Random::new(round.wrapping_mul(31));
     let special =
-        Config { level: r.of(levels), threads: r.of(&[1, 1, 2]), batch_cut: r.of(&[64, 64, 23]), ..Config::default() };
-    let general = Config { level: r.of(levels), threads: 1, general_plan: true, ..Config::default() };
+        Config::default().with_level(r.of(levels)).with_threads(r.of(&[1, 1, 2])).with_batch_cut(r.of(&[64, 64, 23]));
+    let general = Config::default().with_level(r.of(levels)).with_threads(1).with_general_plan(true);
     let (mut a, mut b) = (context(special), context(general));
     let (mut drawn, mut wrong) = (0, 0);
     for case in round * ROUND..(round + 1) * ROUND {
@@ -114,13 +114,13 @@ fn a_difference(a: &[u8], b: &[u8]) -> String {
 #[test]
 fn one_case_is_drawn_in_words() {
     let Some(case) = std::env::var("FIXEDGL_CASE").ok().and_then(|case| case.parse().ok()) else { return };
-    let base = Config { threads: 1, ..Config::default() };
-    let mut a = context(Config { general_plan: true, ..base });
+    let base = Config::default().with_threads(1);
+    let mut a = context(base.with_general_plan(true));
     a.set_trace_callback(Some(Box::new(|call| println!("{call:?}"))));
     let expected = draw(&mut a, Random::new(case));
     let ways = SimdLevel::available()
-        .flat_map(|level| [true, false].map(|general_plan| Config { level, general_plan, ..base }));
-    for config in ways.chain([Config { threads: 2, ..base }, Config { batch_cut: 23, ..base }]) {
+        .flat_map(|level| [true, false].map(|general_plan| base.with_level(level).with_general_plan(general_plan)));
+    for config in ways.chain([base.with_threads(2), base.with_batch_cut(23)]) {
         let found = draw(&mut context(config), Random::new(case));
         let word = if found == expected { "equal" } else { "differs" };
         println!("{word} {config:?}: {}", a_difference(&found.0, &expected.0));
@@ -132,7 +132,7 @@ fn one_case_is_drawn_in_words() {
 fn levels_on_a_step_are_those_of_the_general_plan() {
     const SIDE: i32 = 128;
     let picture = |general_plan: bool, scale: f32, bias: f32, filters: [GLenum; 2]| {
-        let config = Config { general_plan, threads: 1, ..Config::default() };
+        let config = Config::default().with_general_plan(general_plan).with_threads(1);
         let mut cx = Context::with_config(SIDE as u32, SIDE as u32, config);
         let texels: Vec<u8> = (0..128 * 128 * 4u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
         cx.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);

@@ -19,7 +19,7 @@ fn quad(gl: &mut Context, z: f32) {
 
 /// A context with an opaque texture, a depth test, and counting on.
 fn textured(min_filter: GLenum, format: GLenum) -> Context {
-    let mut gl = Context::with_config(SIZE[0], SIZE[1], Config { threads: 1, ..Config::default() });
+    let mut gl = Context::with_config(SIZE[0], SIZE[1], Config::default().with_threads(1));
     let texels: Vec<u8> = (0..4 * 64 * 64).map(|i| (i * 7 % 251) as u8).collect();
     gl.tex_parameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
     gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min_filter);

@@ -166,7 +166,10 @@ fn neither_level_nor_cut_changes_the_picture() {
     let want = picture(Config::default());
     for level in fixedgl::SimdLevel::available() {
         for batch_cut in [64, 7, 1] {
-            assert!(picture(Config { level, batch_cut, ..Config::default() }) == want, "{level:?}, cut {batch_cut}");
+            assert!(
+                picture(Config::default().with_level(level).with_batch_cut(batch_cut)) == want,
+                "{level:?}, cut {batch_cut}"
+            );
         }
     }
 }

@@ -19,7 +19,7 @@ pub fn float_config() -> Config {
     let mut format = FramebufferFormat::default();
     format.color_bits = [32; 4];
     format.float = true;
-    Config { format, ..reference() }
+    reference().with_format(format)
 }
 
 /// A context of one thread whose colours are floats.
@@ -51,7 +51,7 @@ pub fn read(cx: &mut Context) -> Vec<Color> {
 /// Draws a picture in every way of running; they have to agree to the last bit and to hold numbers only.
 pub fn everywhere(w: &mut Worst, [width, height]: [u32; 2], draw: impl Fn(&mut Context)) -> Vec<Color> {
     let run = |config: Config| {
-        let mut cx = Context::with_config(width, height, Config { format: float_config().format, ..config });
+        let mut cx = Context::with_config(width, height, config.with_format(float_config().format));
         draw(&mut cx);
         let colors = read(&mut cx);
         let bits: Vec<[u32; 4]> = colors.iter().map(|c| c.map(f32::to_bits)).collect();

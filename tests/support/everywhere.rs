@@ -30,16 +30,16 @@ impl Frame {
 
 /// The reference: one thread, full batches, the best instruction set.
 pub fn reference() -> Config {
-    Config { threads: 1, ..Config::default() }
+    Config::default().with_threads(1)
 }
 
 /// All other ways.
 pub fn variants() -> Vec<Config> {
     let base = reference();
-    let mut all: Vec<Config> = SimdLevel::available().map(|level| Config { level, ..base }).collect();
-    all.extend([2, 7].map(|threads| Config { threads, ..base }));
-    all.extend([17, 1].map(|batch_cut| Config { batch_cut, ..base }));
-    all.push(Config { general_plan: true, ..base });
-    all.push(Config { level: SimdLevel::Baseline, threads: 7, batch_cut: 17, general_plan: true, ..base });
+    let mut all: Vec<Config> = SimdLevel::available().map(|level| base.with_level(level)).collect();
+    all.extend([2, 7].map(|threads| base.with_threads(threads)));
+    all.extend([17, 1].map(|batch_cut| base.with_batch_cut(batch_cut)));
+    all.push(base.with_general_plan(true));
+    all.push(base.with_level(SimdLevel::Baseline).with_threads(7).with_batch_cut(17).with_general_plan(true));
     all
 }
