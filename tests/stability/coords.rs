@@ -7,7 +7,7 @@ use crate::stability::common::{any_size, cover, everywhere, float_config, floats
 use crate::stability::row::{Worst, rows};
 use crate::support::Random;
 use fixedgl::enums::*;
-use fixedgl::{Config, Context, SimdLevel};
+use fixedgl::{Context, SimdLevel};
 
 rows! {
     random_nearest: "T1", "1,000,000 random coordinates for each of 8 wrap modes, 1e-45 to 3e38, around whole numbers and texel boundaries; NEAREST on 16 x 13 texels",
