@@ -1,7 +1,7 @@
 //! The eight comparison functions of the alpha, stencil and depth tests (OpenGL 1.5, sections 4.1.4 to 4.1.6), over the
 //! lanes of a batch.
 
-pub use crate::state::compare::CompareFunc as Func;
+pub use crate::state::compare::CompareFunc;
 
 /// All ones or 0.
 #[inline(always)]
@@ -9,7 +9,7 @@ pub fn ones(yes: bool) -> u32 {
     u32::from(yes).wrapping_neg()
 }
 
-impl Func {
+impl CompareFunc {
     /// The function that a stage's number stands for.
     #[inline(always)]
     #[must_use]
@@ -20,7 +20,12 @@ impl Func {
 
 /// Kills the lanes where `a func b` does not hold.
 #[inline(always)]
-pub(super) fn compare<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; N], b: &[T; N], mask: &mut [u32; N]) {
+pub(super) fn compare<T: Copy + PartialOrd, const N: usize>(
+    func: CompareFunc,
+    a: &[T; N],
+    b: &[T; N],
+    mask: &mut [u32; N],
+) {
     #[inline(always)]
     fn each<T: Copy, const N: usize>(a: &[T; N], b: &[T; N], mask: &mut [u32; N], test: impl Fn(T, T) -> bool) {
         for i in 0..N {
@@ -28,20 +33,20 @@ pub(super) fn compare<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; 
         }
     }
     match func {
-        Func::Never => *mask = [0; N],
-        Func::Less => each(a, b, mask, |a, b| a < b),
-        Func::Equal => each(a, b, mask, |a, b| a == b),
-        Func::Lequal => each(a, b, mask, |a, b| a <= b),
-        Func::Greater => each(b, a, mask, |a, b| a < b),
-        Func::Notequal => each(a, b, mask, |a, b| a != b),
-        Func::Gequal => each(b, a, mask, |a, b| a <= b),
-        Func::Always => {}
+        CompareFunc::Never => *mask = [0; N],
+        CompareFunc::Less => each(a, b, mask, |a, b| a < b),
+        CompareFunc::Equal => each(a, b, mask, |a, b| a == b),
+        CompareFunc::Lequal => each(a, b, mask, |a, b| a <= b),
+        CompareFunc::Greater => each(b, a, mask, |a, b| a < b),
+        CompareFunc::Notequal => each(a, b, mask, |a, b| a != b),
+        CompareFunc::Gequal => each(b, a, mask, |a, b| a <= b),
+        CompareFunc::Always => {}
     }
 }
 
 /// Whether `a func b` holds in all lanes: cheaper to find out than in which ones, and so it is as a rule.
 #[inline(always)]
-pub(super) fn holds<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; N], b: &[T; N]) -> bool {
+pub(super) fn holds<T: Copy + PartialOrd, const N: usize>(func: CompareFunc, a: &[T; N], b: &[T; N]) -> bool {
     #[inline(always)]
     fn each<T: Copy, const N: usize>(a: &[T; N], b: &[T; N], test: impl Fn(T, T) -> bool) -> bool {
         let mut all = true;
@@ -51,14 +56,14 @@ pub(super) fn holds<T: Copy + PartialOrd, const N: usize>(func: Func, a: &[T; N]
         all
     }
     match func {
-        Func::Never => false,
-        Func::Less => each(a, b, |a, b| a < b),
-        Func::Equal => each(a, b, |a, b| a == b),
-        Func::Lequal => each(a, b, |a, b| a <= b),
-        Func::Greater => each(b, a, |a, b| a < b),
-        Func::Notequal => each(a, b, |a, b| a != b),
-        Func::Gequal => each(b, a, |a, b| a <= b),
-        Func::Always => true,
+        CompareFunc::Never => false,
+        CompareFunc::Less => each(a, b, |a, b| a < b),
+        CompareFunc::Equal => each(a, b, |a, b| a == b),
+        CompareFunc::Lequal => each(a, b, |a, b| a <= b),
+        CompareFunc::Greater => each(b, a, |a, b| a < b),
+        CompareFunc::Notequal => each(a, b, |a, b| a != b),
+        CompareFunc::Gequal => each(b, a, |a, b| a <= b),
+        CompareFunc::Always => true,
     }
 }
 
@@ -114,7 +119,7 @@ mod tests {
             |a, b| a >= b,
             |_, _| true,
         ];
-        for func in Func::ALL {
+        for func in CompareFunc::ALL {
             let mut mask = [u32::MAX; LANES];
             compare(func, &a, &b, &mut mask);
             for i in 0..LANES {
@@ -124,7 +129,7 @@ mod tests {
             for (a, b) in [(1, 2), (2, 2), (2, 1)] {
                 assert_eq!(holds(func, &[a; LANES], &[b; LANES]), pass[func as usize](a, b), "{func:?} {a} {b}");
             }
-            assert_eq!(Func::from_arg(func as u32), func);
+            assert_eq!(CompareFunc::from_arg(func as u32), func);
         }
     }
 }

@@ -4,7 +4,7 @@
 //! After a row was drawn the greatest depths of the blocks that it has touched are computed again.
 
 use super::batch::{FragmentBatch, Segment};
-use super::compare::Func;
+use super::compare::CompareFunc;
 use super::reference::depth::DepthSlope;
 use super::reference::lanes::row_origin;
 use super::uniforms::{FragUniforms, LongFn, Work};
@@ -22,22 +22,22 @@ pub struct Hiz {
 
 /// Whether fragments from `least` on fail the test against all depths up to `limit`.
 #[inline(always)]
-fn fails(func: Func, least: u32, limit: u32) -> bool {
+fn fails(func: CompareFunc, least: u32, limit: u32) -> bool {
     match func {
-        Func::Less => least >= limit,
-        Func::Lequal | Func::Equal => least > limit,
+        CompareFunc::Less => least >= limit,
+        CompareFunc::Lequal | CompareFunc::Equal => least > limit,
         _ => false,
     }
 }
 
 /// Whether hierarchical depth is of use to a test: depths never rise, and what is behind them fails.
-pub fn uses_hiz(func: Func) -> bool {
-    matches!(func, Func::Less | Func::Lequal | Func::Equal)
+pub fn uses_hiz(func: CompareFunc) -> bool {
+    matches!(func, CompareFunc::Less | CompareFunc::Lequal | CompareFunc::Equal)
 }
 
 /// How many pixels of a row, from its start on, fail the test because their blocks are nearer.
 #[inline(always)]
-pub fn hiz_cull(band: &Band<'_>, run: &Segment, slope: &DepthSlope, x: i32, func: Func) -> u32 {
+pub fn hiz_cull(band: &Band<'_>, run: &Segment, slope: &DepthSlope, x: i32, func: CompareFunc) -> u32 {
     let Ok(start) = usize::try_from(run.x) else { return 0 };
     let least = slope.least(x, x.wrapping_add(run.len.wrapping_sub(1).cast_signed()));
     let end = start.saturating_add(run.len as usize);
@@ -79,7 +79,7 @@ stage! {
         let Some(planes) = w.planes.get(s.prim as usize) else { return 0 };
         let (x, y) = row_origin(s, planes);
         let slope = DepthSlope::new(&planes.z, y, u.depth_max);
-        hiz_cull(w.band, s, &slope, x, Func::from_arg(arg >> 1))
+        hiz_cull(w.band, s, &slope, x, CompareFunc::from_arg(arg >> 1))
     }
 
     /// Updates hierarchical depth after a row was drawn.

@@ -2,7 +2,7 @@
 //! numbers behind them (reference values, colours, densities, coefficients) travel apart, in the uniforms. Both paths are
 //! chosen from it: the stages of the reference path, and the span kernel that takes its place for rows of a primitive.
 
-use super::compare::Func;
+use super::compare::CompareFunc;
 use crate::state::color_buffer::LogicOp;
 use crate::texture::filter::linear_rgba8::{RGB, RGBA};
 use crate::texture::uniforms::WrappedImage;
@@ -11,13 +11,13 @@ use crate::texture::uniforms::WrappedImage;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tests {
     /// Alpha test.
-    pub alpha: Option<Func>,
+    pub alpha: Option<CompareFunc>,
     /// Stencil test.
-    pub stencil: Option<Func>,
+    pub stencil: Option<CompareFunc>,
     /// Whether stencil values may change.
     pub stencil_write: bool,
     /// Depth test.
-    pub depth: Option<Func>,
+    pub depth: Option<CompareFunc>,
     /// Whether depths may change.
     pub depth_write: bool,
 }

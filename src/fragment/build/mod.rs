@@ -8,7 +8,7 @@ mod store;
 mod summary;
 mod texturing;
 
-use super::compare::Func;
+use super::compare::CompareFunc;
 use super::hiz::{HIZ_CULL, HIZ_UPDATE, Hiz, uses_hiz};
 use super::key::{FragmentKey, Tests};
 use super::planes::Layout;
@@ -114,7 +114,7 @@ impl Builder<'_> {
     fn early_tests(&mut self, key: &FragmentKey) {
         let (tests, first, depth_first) = (&key.tests, key.tests_first(), key.depth_first());
         match tests.depth {
-            Some(func) if (first || depth_first) && tests.stencil.is_none() && func != Func::Always => {
+            Some(func) if (first || depth_first) && tests.stencil.is_none() && func != CompareFunc::Always => {
                 self.early_depth(func, first && tests.depth_write, tests.depth_write)
             }
             _ => {
@@ -215,7 +215,7 @@ impl Builder<'_> {
         }
         if let Some(func) = tests.depth {
             self.push(&depth::DEPTH, 0);
-            if func == Func::Always && !self.options.general {
+            if func == CompareFunc::Always && !self.options.general {
                 if depth_write {
                     self.push(&depth::DEPTH_WRITE, 0);
                 }
@@ -230,7 +230,7 @@ impl Builder<'_> {
     }
 
     /// The depth test as the first stage.
-    fn early_depth(&mut self, func: Func, write: bool, depth_write: bool) {
+    fn early_depth(&mut self, func: CompareFunc, write: bool, depth_write: bool) {
         let arg = (func as u32) << 1 | if write { depth::WRITE } else { 0 };
         self.push(&early_depth::EARLY_DEPTH, arg);
         self.program.reads_framebuffer = true;

@@ -3,7 +3,7 @@
 //! bytes.
 
 use super::Builder;
-use crate::fragment::compare::Func;
+use crate::fragment::compare::CompareFunc;
 use crate::fragment::key::{Blending, ColorWrites, FogFactor, FragmentKey, Tests};
 use crate::fragment::program::Fate;
 use crate::fragment::reference::blend::packed_pair;
@@ -61,31 +61,31 @@ impl Builder<'_> {
     fn tests(&mut self) -> Tests {
         let general = self.options.general;
         let (c, d, s) = (&self.state.color_buffer, &self.state.depth, &self.state.stencil);
-        let alpha = if c.alpha_test { c.alpha_func } else { Func::Always };
+        let alpha = if c.alpha_test { c.alpha_func } else { CompareFunc::Always };
         let depth_on = d.test && self.format.depth_bits != 0;
-        let depth = if depth_on { d.func } else { Func::Always };
-        let depth_write = depth_on && d.mask && depth != Func::Never;
+        let depth = if depth_on { d.func } else { CompareFunc::Always };
+        let depth_write = depth_on && d.mask && depth != CompareFunc::Never;
         let stencil_on = s.test && self.format.stencil_bits != 0;
-        let func = if stencil_on { s.func } else { Func::Always };
+        let func = if stencil_on { s.func } else { CompareFunc::Always };
         let op = |on: bool, value| if stencil_on && on { value } else { StencilOp::Keep };
         let stencil = StencilUniforms {
             reference: s.reference.clamp(0, 255).cast_unsigned(),
             value_mask: s.value_mask & 0xFF,
             write_mask: if stencil_on { s.write_mask & 0xFF } else { 0 },
-            fail: op(func != Func::Always, s.fail),
-            depth_fail: op(func != Func::Never && depth != Func::Always, s.depth_fail),
-            pass: op(func != Func::Never && depth != Func::Never, s.depth_pass),
+            fail: op(func != CompareFunc::Always, s.fail),
+            depth_fail: op(func != CompareFunc::Never && depth != CompareFunc::Always, s.depth_fail),
+            pass: op(func != CompareFunc::Never && depth != CompareFunc::Never, s.depth_pass),
         };
         let keeps = [stencil.fail, stencil.depth_fail, stencil.pass].iter().all(|op| *op == StencilOp::Keep);
         let stencil_write = stencil.write_mask != 0 && !keeps;
         self.program.uniforms.stencil = stencil;
-        let keep_stencil = func != Func::Always || stencil_write || (general && self.format.stencil_bits != 0);
-        let keep_depth = depth != Func::Always || depth_write || (general && self.format.depth_bits != 0);
+        let keep_stencil = func != CompareFunc::Always || stencil_write || (general && self.format.stencil_bits != 0);
+        let keep_depth = depth != CompareFunc::Always || depth_write || (general && self.format.depth_bits != 0);
         let off = |on: bool| match on {
             true => "the test is on, but passes every fragment and writes nothing",
             false => "the test is off, or the framebuffer has no such buffer",
         };
-        if alpha != Func::Always || general {
+        if alpha != CompareFunc::Always || general {
             self.decide(
                 "alpha test",
                 Fate::Kept,
@@ -107,7 +107,7 @@ impl Builder<'_> {
             self.decide("depth test", Fate::LeftOut, format_args!("no depth is computed: {}", off(depth_on)));
         }
         Tests {
-            alpha: (alpha != Func::Always || general).then_some(alpha),
+            alpha: (alpha != CompareFunc::Always || general).then_some(alpha),
             stencil: keep_stencil.then_some(func),
             stencil_write: stencil_write || (general && keep_stencil),
             depth: keep_depth.then_some(depth),

@@ -3,7 +3,7 @@
 //! to the nearest as the store does. A float buffer has no such conversion; there floats are compared.
 
 use crate::fragment::batch::FragmentBatch;
-use crate::fragment::compare::{Func, any, compare};
+use crate::fragment::compare::{CompareFunc, any, compare};
 use crate::fragment::reference::pack::byte;
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::clamp01;
@@ -16,7 +16,7 @@ stage! {
         for i in 0..LANES {
             alpha[i] = byte(b.tex.previous[3][i]);
         }
-        compare(Func::from_arg(arg), &alpha, &[byte(u.alpha_ref); LANES], &mut b.tex.mask);
+        compare(CompareFunc::from_arg(arg), &alpha, &[byte(u.alpha_ref); LANES], &mut b.tex.mask);
         b.alive = any(&b.tex.mask);
     }
 
@@ -26,7 +26,7 @@ stage! {
         for i in 0..LANES {
             alpha[i] = clamp01(b.tex.previous[3][i]);
         }
-        compare(Func::from_arg(arg), &alpha, &[u.alpha_ref; LANES], &mut b.tex.mask);
+        compare(CompareFunc::from_arg(arg), &alpha, &[u.alpha_ref; LANES], &mut b.tex.mask);
         b.alive = any(&b.tex.mask);
     }
 }

@@ -3,7 +3,7 @@
 //! with other state gets the same integers, which EQUAL relies on.
 
 use crate::fragment::batch::FragmentBatch;
-use crate::fragment::compare::{Func, any, compare, ones};
+use crate::fragment::compare::{CompareFunc, any, compare, ones};
 use crate::fragment::plane_eval::{IOTA, LinearEval, sums};
 use crate::fragment::planes::Linear;
 use crate::fragment::reference::lanes::{CHUNK, pieces, positions, put, row_origin, single_row};
@@ -133,7 +133,7 @@ pub fn depths(b: &mut FragmentBatch, u: &FragUniforms, w: &Work<'_, '_>) {
 #[inline(always)]
 pub fn test(b: &mut FragmentBatch, w: &mut Work<'_, '_>, arg: u32) {
     load(places!(b), w.band.depth, &mut b.depth);
-    compare(Func::from_arg(arg >> 1), &b.z, &b.depth, &mut b.tex.mask);
+    compare(CompareFunc::from_arg(arg >> 1), &b.z, &b.depth, &mut b.tex.mask);
     b.alive = any(&b.tex.mask);
     if arg & WRITE != 0 && b.alive {
         store(places!(b), &b.tex.mask, &b.z, w.band.depth);

@@ -2,7 +2,7 @@
 //! a batch of one row needs no mask before it, and none after it where all fragments pass.
 
 use crate::fragment::batch::FragmentBatch;
-use crate::fragment::compare::{Func, compare, holds, living};
+use crate::fragment::compare::{CompareFunc, compare, holds, living};
 use crate::fragment::reference::depth::{DepthSlope, WRITE, depths, lanes, test};
 use crate::fragment::reference::lanes::{row_origin, single_row};
 use crate::fragment::reference::places::{fresh_mask, write};
@@ -18,7 +18,7 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
     let Some(depth) = w.band.depth.get_mut(segment.offset as usize..).and_then(|r| r.first_chunk_mut::<LANES>()) else {
         return false;
     };
-    let func = Func::from_arg(arg >> 1);
+    let func = CompareFunc::from_arg(arg >> 1);
     let (x, y) = row_origin(&segment, planes);
     let slope = DepthSlope::new(&planes.z, y, u.depth_max);
     // Lanes of their own, written to the batch once: lanes that were just written through a mask are read again only when

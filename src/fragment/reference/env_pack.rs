@@ -6,7 +6,7 @@
 //! from fetch to store as it is. Other texels are rounded by the stage that replaces the colour or multiplies it.
 
 use crate::fragment::batch::FragmentBatch;
-use crate::fragment::compare::{Func, any, compare};
+use crate::fragment::compare::{CompareFunc, any, compare};
 use crate::fragment::key::EnvStep;
 use crate::fragment::reference::pack::{byte, whole_pixel};
 use crate::fragment::reference::places::{places, store};
@@ -114,7 +114,7 @@ stage! {
             alpha[i] = b.packed[i] >> 24;
             b.packed[i] |= u.packed_or;
         }
-        compare(Func::from_arg(arg), &alpha, &[byte(u.alpha_ref); LANES], &mut b.tex.mask);
+        compare(CompareFunc::from_arg(arg), &alpha, &[byte(u.alpha_ref); LANES], &mut b.tex.mask);
         b.alive = any(&b.tex.mask);
     }
 }

@@ -3,7 +3,7 @@
 //! cases (stencil failed, depth failed, both passed) and writes the bits that the mask lets through.
 
 use crate::fragment::batch::FragmentBatch;
-use crate::fragment::compare::{Func, any, compare, ones};
+use crate::fragment::compare::{CompareFunc, any, compare, ones};
 use crate::fragment::reference::lanes::Lane;
 use crate::fragment::reference::places::{load, places, store};
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
@@ -42,7 +42,7 @@ stage! {
             masked[i] = b.stencil[i] & u.stencil.value_mask;
         }
         b.before[0] = b.tex.mask;
-        compare(Func::from_arg(arg), &[u.stencil.reference & u.stencil.value_mask; LANES], &masked, &mut b.tex.mask);
+        compare(CompareFunc::from_arg(arg), &[u.stencil.reference & u.stencil.value_mask; LANES], &masked, &mut b.tex.mask);
         b.before[1] = b.tex.mask;
         b.alive = any(&b.tex.mask);
     }

@@ -4,7 +4,7 @@
 
 use super::shader::{Part, SpanShader, SpanSource};
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::compare::{Func, compare, holds, living};
+use crate::fragment::compare::{CompareFunc, compare, holds, living};
 use crate::fragment::hiz::{hiz_cull, hiz_update, uses_hiz};
 use crate::fragment::lod_bounds;
 use crate::fragment::mip_range::MipRange;
@@ -29,7 +29,7 @@ const SHORT: usize = 16;
 /// The depth test of a row.
 struct DepthTest {
     slope: DepthSlope,
-    func: Func,
+    func: CompareFunc,
     writes: bool,
 }
 
@@ -39,7 +39,11 @@ impl DepthTest {
     fn new(planes: &Planes, (x, y, len): (i32, i32, u32), u: &FragUniforms, arg: u32) -> Option<Self> {
         let last = x.wrapping_add(len.wrapping_sub(1).cast_signed());
         let slope = || DepthSlope::new(&planes.z, y, u.depth_max).between(x, last);
-        (arg & DEPTH != 0).then(|| Self { slope: slope(), func: Func::from_arg(arg >> 1), writes: arg & WRITE != 0 })
+        (arg & DEPTH != 0).then(|| Self {
+            slope: slope(),
+            func: CompareFunc::from_arg(arg >> 1),
+            writes: arg & WRITE != 0,
+        })
     }
 }
 

@@ -6,7 +6,7 @@
 use super::long::DEPTH;
 use super::shader::{Part, SpanShader, SpanSource};
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::compare::{Func, any, compare, digits, living};
+use crate::fragment::compare::{CompareFunc, any, compare, digits, living};
 use crate::fragment::hiz::{hiz_cull, uses_hiz};
 use crate::fragment::lod_bounds;
 use crate::fragment::mip_range::MipRange;
@@ -119,7 +119,7 @@ impl LivePixels {
 /// The depth test.
 #[derive(Clone, Copy)]
 struct Test {
-    func: Func,
+    func: CompareFunc,
     writes: bool,
 }
 
@@ -127,7 +127,7 @@ impl Test {
     /// The test in a kernel's argument, if there is one.
     #[inline(always)]
     fn new(arg: u32) -> Option<Self> {
-        (arg & DEPTH != 0).then(|| Self { func: Func::from_arg(arg >> 1), writes: arg & WRITE != 0 })
+        (arg & DEPTH != 0).then(|| Self { func: CompareFunc::from_arg(arg >> 1), writes: arg & WRITE != 0 })
     }
 
     /// Which of the first `n` pixels from x on pass.
@@ -189,7 +189,7 @@ fn limits(rows: &[Segment], planes: &Planes) -> [[i32; 2]; 2] {
 
 /// Takes pixels off the rows' starts that hierarchical depth hides.
 #[inline(always)]
-fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_>, func: Func) {
+fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_>, func: CompareFunc) {
     if !uses_hiz(func) {
         return;
     }
