@@ -40,16 +40,7 @@ impl Random {
     }
 }
 
-const WRAPS: [WrapMode; 8] = [
-    WrapMode::Repeat,
-    WrapMode::Clamp,
-    WrapMode::ClampToEdge,
-    WrapMode::ClampToBorder,
-    WrapMode::MirroredRepeat,
-    WrapMode::MirrorClamp,
-    WrapMode::MirrorClampToEdge,
-    WrapMode::MirrorClampToBorder,
-];
+const WRAPS: [WrapMode; 8] = WrapMode::ALL;
 const MIN: [TextureFilter; 6] = [
     TextureFilter::Nearest,
     TextureFilter::Linear,

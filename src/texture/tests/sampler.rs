@@ -9,16 +9,7 @@ use crate::state::texture::TextureFilter;
 use crate::state::texture::WrapMode;
 use crate::texture::sampler::Sampler;
 
-const WRAPS: [WrapMode; 8] = [
-    WrapMode::Repeat,
-    WrapMode::Clamp,
-    WrapMode::ClampToEdge,
-    WrapMode::ClampToBorder,
-    WrapMode::MirroredRepeat,
-    WrapMode::MirrorClamp,
-    WrapMode::MirrorClampToEdge,
-    WrapMode::MirrorClampToBorder,
-];
+const WRAPS: [WrapMode; 8] = WrapMode::ALL;
 
 const FILTERS: [(TextureFilter, TextureFilter); 12] = [
     (TextureFilter::Nearest, TextureFilter::Nearest),
