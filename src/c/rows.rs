@@ -3,11 +3,7 @@
 #![expect(non_snake_case, reason = "the names are GL's own")]
 
 use super::current;
-use crate::context::table::{
-    arg_kinds::door_ty, arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
-    imaging::imaging_table, lighting::lighting_table, lists::lists_table, pixels::pixels_table, raster::raster_table,
-    texture::texture_table, transform::transform_table, vertex::vertex_table,
-};
+use crate::context::table::{arg_kinds::door_ty, chapters::for_each_chapter};
 
 /// What a function of this door returns: `GLboolean` in the place of `bool`.
 macro_rules! c_return {
@@ -83,15 +79,9 @@ macro_rules! c_door {
     };
 }
 
-vertex_table!(c_door);
-transform_table!(c_door);
-lighting_table!(c_door);
-raster_table!(c_door);
-texture_table!(c_door);
-pixels_table!(c_door);
-fragment_table!(c_door);
-arrays_table!(c_door);
-evaluators_table!(c_door);
-lists_table!(c_door);
-get_table!(c_door);
-imaging_table!(c_door);
+macro_rules! chapters {
+    ($($chapter:ident: $table:ident;)*) => {
+        $( $crate::context::table::$chapter::$table!(c_door); )*
+    };
+}
+for_each_chapter!(chapters);

@@ -260,17 +260,4 @@ macro_rules! chapters {
     };
 }
 
-chapters! {
-    vertex: vertex_table;
-    transform: transform_table;
-    lighting: lighting_table;
-    raster: raster_table;
-    texture: texture_table;
-    pixels: pixels_table;
-    fragment: fragment_table;
-    arrays: arrays_table;
-    evaluators: evaluators_table;
-    lists: lists_table;
-    get: get_table;
-    imaging: imaging_table;
-}
+crate::context::table::chapters::for_each_chapter!(chapters);

@@ -2,7 +2,7 @@
 //! everything that a command needs outside the engine is made from its row: the method of [`Context`](super::Context),
 //! the safe C-named function in `fixedgl::c`, the exported C function, its entry in display lists and in the trace.
 //!
-//! A chapter file holds rows and nothing else, so that it needs no other file. `ops.rs` makes of the rows what a display
+//! A chapter file holds rows and nothing else, so that it needs no other file; `chapters.rs` lists them. `ops.rs` makes of the rows what a display
 //! list can hold, `methods.rs` the methods of [`Context`](super::Context).
 //!
 //! # Sections of a chapter
@@ -57,6 +57,7 @@
 
 pub(crate) mod arg_kinds;
 pub(crate) mod arrays;
+pub(crate) mod chapters;
 pub(crate) mod evaluators;
 pub(crate) mod fragment;
 pub(crate) mod generate;

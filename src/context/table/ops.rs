@@ -2,11 +2,7 @@
 //! the chapter that a list records, in the one form that the engine knows. Only data: how an op is carried out is in
 //! `generate.rs`, so that a list does not need the context that holds it.
 
-use super::{
-    arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
-    imaging::imaging_table, lighting::lighting_table, lists::lists_table, pixels::pixels_table, raster::raster_table,
-    texture::texture_table, transform::transform_table, vertex::vertex_table,
-};
+use super::chapters::for_each_chapter;
 
 /// The commands of some rows.
 macro_rules! op {
@@ -40,21 +36,8 @@ macro_rules! ops {
 macro_rules! chapters {
     ($($chapter:ident: $table:ident;)*) => {
         $( pub(crate) mod $chapter {
-            super::$table!(ops);
+            $crate::context::table::$chapter::$table!(ops);
         } )*
     };
 }
-chapters! {
-    vertex: vertex_table;
-    transform: transform_table;
-    lighting: lighting_table;
-    raster: raster_table;
-    texture: texture_table;
-    pixels: pixels_table;
-    fragment: fragment_table;
-    arrays: arrays_table;
-    evaluators: evaluators_table;
-    lists: lists_table;
-    get: get_table;
-    imaging: imaging_table;
-}
+for_each_chapter!(chapters);

@@ -1,5 +1,6 @@
 //! The rows of the table as data, for its tests.
 
+use super::chapters::for_each_chapter;
 use super::methods;
 
 /// When a command is allowed and whether a display list records it.
@@ -52,43 +53,22 @@ macro_rules! row {
 }
 pub(crate) use {class, row};
 
-/// The chapters in the order of the specification.
-const CHAPTERS: [&[Row]; 12] = [
-    methods::vertex::ROWS,
-    methods::transform::ROWS,
-    methods::lighting::ROWS,
-    methods::raster::ROWS,
-    methods::texture::ROWS,
-    methods::pixels::ROWS,
-    methods::fragment::ROWS,
-    methods::arrays::ROWS,
-    methods::evaluators::ROWS,
-    methods::lists::ROWS,
-    methods::get::ROWS,
-    methods::imaging::ROWS,
-];
+macro_rules! chapters {
+    ($($chapter:ident: $table:ident;)*) => {
+        /// The rows of each chapter.
+        const CHAPTERS: &[&[Row]] = &[$( methods::$chapter::ROWS ),*];
+        /// The marks of each chapter's rows that wait for their engine.
+        const MISSING: &[&[(&str, &str)]] = &[$( methods::$chapter::MISSING ),*];
+    };
+}
+for_each_chapter!(chapters);
 
 /// The rows that are marked as missing, with their marks.
 pub fn missing() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-    [
-        methods::vertex::MISSING,
-        methods::transform::MISSING,
-        methods::lighting::MISSING,
-        methods::raster::MISSING,
-        methods::texture::MISSING,
-        methods::pixels::MISSING,
-        methods::fragment::MISSING,
-        methods::arrays::MISSING,
-        methods::evaluators::MISSING,
-        methods::lists::MISSING,
-        methods::get::MISSING,
-        methods::imaging::MISSING,
-    ]
-    .into_iter()
-    .flatten()
+    MISSING.iter().copied().flatten()
 }
 
 /// All rows of the table.
 pub fn rows() -> impl Iterator<Item = &'static Row> {
-    CHAPTERS.into_iter().flatten()
+    CHAPTERS.iter().copied().flatten()
 }

@@ -1,12 +1,8 @@
 //! Every row of the table, called: the Begin/End rule of its class, and arguments that no program should pass. The calls
 //! are made from the rows, so that a new row is tested as soon as it is there.
 
+use super::chapters::for_each_chapter;
 use super::rows::Class;
-use super::{
-    arrays::arrays_table, evaluators::evaluators_table, fragment::fragment_table, get::get_table,
-    imaging::imaging_table, lighting::lighting_table, lists::lists_table, pixels::pixels_table, raster::raster_table,
-    texture::texture_table, transform::transform_table, vertex::vertex_table,
-};
 use crate::Context;
 use crate::enums::*;
 
@@ -103,20 +99,12 @@ macro_rules! calls {
     };
 }
 
-const CALLS: [&[Call]; 12] = [
-    vertex_table!(calls),
-    transform_table!(calls),
-    lighting_table!(calls),
-    raster_table!(calls),
-    texture_table!(calls),
-    pixels_table!(calls),
-    fragment_table!(calls),
-    arrays_table!(calls),
-    evaluators_table!(calls),
-    lists_table!(calls),
-    get_table!(calls),
-    imaging_table!(calls),
-];
+macro_rules! chapters {
+    ($($chapter:ident: $table:ident;)*) => {
+        const CALLS: &[&[Call]] = &[$( $crate::context::table::$chapter::$table!(calls) ),*];
+    };
+}
+for_each_chapter!(chapters);
 
 fn class(name: &str) -> Class {
     super::rows::rows().find(|row| row.name == name).map(|row| row.class).expect("every call has a row")
@@ -135,7 +123,7 @@ fn every_row_is_called_here() {
 
 #[test]
 fn only_commands_of_the_class_begin_stand_between_begin_and_end() {
-    for (name, call) in CALLS.into_iter().flatten() {
+    for (name, call) in CALLS.iter().copied().flatten() {
         let mut cx = Context::new(4, 4);
         cx.begin(GL_POINTS);
         assert_eq!(cx.check(), Ok(()));
@@ -168,7 +156,7 @@ fn no_argument_makes_a_command_panic() {
         (7, f64::NAN),
         (64, 1e300),
     ];
-    for (_, call) in CALLS.into_iter().flatten() {
+    for (_, call) in CALLS.iter().copied().flatten() {
         let mut cx = Context::new(8, 8);
         for name in names {
             for (int, float) in numbers {
@@ -181,7 +169,7 @@ fn no_argument_makes_a_command_panic() {
 
 #[test]
 fn no_argument_makes_a_recorded_command_panic() {
-    for (name, call) in CALLS.into_iter().flatten() {
+    for (name, call) in CALLS.iter().copied().flatten() {
         let mut cx = Context::new(8, 8);
         for (i, (int, float)) in [(1, 1.0), (-1, f64::NAN), (i32::MAX, f64::INFINITY)].into_iter().enumerate() {
             cx.new_list(i as u32 + 1, GL_COMPILE);
