@@ -8,6 +8,7 @@ use super::buffer_objects::Buffers;
 use super::config::Config;
 use super::proxies::{Proxies, Proxy};
 use super::query_objects::Queries;
+use super::raster_position::RasterPosProcessor;
 use super::texture_objects::Textures;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
@@ -65,6 +66,8 @@ pub(crate) struct Engine {
     pub(crate) primitive: Primitive,
     /// Full batches since the last Begin.
     pub(crate) batches: usize,
+    /// What RasterPos works with, once it has been called.
+    pub(crate) raster_pos: Option<Box<RasterPosProcessor>>,
     /// Vertices on their way to primitives.
     pub(crate) pipe: VertexPipeline,
     /// What threads beside this one need for large draws.
@@ -117,6 +120,7 @@ impl Engine {
             buffers: Buffers::default(),
             primitive: Primitive::default(),
             batches: 0,
+            raster_pos: None,
             pipe: VertexPipeline::new(config.level, config.batch_cut),
             draw_workers: Vec::new(),
             setup_jobs: SetupJobPool::default(),

@@ -79,7 +79,10 @@ impl Engine {
             return Err(invalid_value(format!("an area of {width} by {height} pixels; neither may be negative")));
         }
         let pixel = PixelFormat::for_command(format, type_, Purpose::ReadPixels)?;
-        self.check_readable(pixel.kind())?;
+        if pixel.kind() == PixelKind::Index {
+            return Err(invalid_operation("the framebuffer holds colours, not colour indices; read GL_RGBA"));
+        }
+        self.check_has_buffers(pixel.kind())?;
         self.flush_scene();
         let transfer = crate::pixels::Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
         let mut target = ClientTarget::new_2d(pixels, &self.client.pixel_store.pack, [width, height], pixel)?;
@@ -121,18 +124,16 @@ impl Engine {
         Ok(())
     }
 
-    fn check_readable(&self, kind: PixelKind) -> Outcome {
+    /// INVALID_OPERATION unless the framebuffer has the buffers of a kind of pixels.
+    pub(crate) fn check_has_buffers(&self, kind: PixelKind) -> Outcome {
         let bits = self.framebuffer.format();
         let missing = match kind {
             PixelKind::Depth if bits.depth_bits == 0 => "depth",
             PixelKind::Stencil if bits.stencil_bits == 0 => "stencil",
             PixelKind::DepthStencil if bits.depth_bits == 0 || bits.stencil_bits == 0 => "depth and stencil",
-            PixelKind::Index => {
-                return Err(invalid_operation("the framebuffer holds colours, not colour indices; read GL_RGBA"));
-            }
             _ => return Ok(()),
         };
-        Err(invalid_operation(format!("there is no {missing} buffer to read from")))
+        Err(invalid_operation(format!("the framebuffer has no {missing} buffer")))
     }
 
     /// Sizes of the buffers, for Get.

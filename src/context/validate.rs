@@ -5,6 +5,7 @@
 use super::begin_end::LONG;
 use super::engine::Engine;
 use crate::enums::name;
+use crate::fragment::pixel_rect::PixelRect;
 use crate::fragment::program::{Decision, Options, Program};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::raster::{Draw, RasterState};
@@ -30,7 +31,7 @@ impl Engine {
         }
         self.run_vertices();
         if self.dirty.fragment || self.program.is_none() {
-            self.program = Some(Arc::new(self.build_program(true)));
+            self.program = Some(Arc::new(self.build_program(true, None)));
         }
         let Some(program) = self.program.clone() else { return };
         let format = self.framebuffer.format();
@@ -46,10 +47,11 @@ impl Engine {
 
     /// What is decided about each stage of the present state's program, in words. The programs that draw know none.
     pub(crate) fn decisions(&mut self) -> Vec<Decision> {
-        self.build_program(false).decisions
+        self.build_program(false, None).decisions
     }
 
-    fn build_program(&mut self, silent: bool) -> Program {
+    /// The fragment program of the present state, for primitives or for a pixel rectangle.
+    pub(crate) fn build_program(&mut self, silent: bool, pixels: Option<Arc<PixelRect>>) -> Program {
         let chosen: [Option<(Target, u32)>; MAX_TEXTURE_UNITS] = std::array::from_fn(|unit| {
             let unit = &self.state.texture.units[unit];
             effective_target(unit.enabled).map(|target| (target, unit.bound[target as usize]))
@@ -63,9 +65,10 @@ impl Engine {
         let s = &self.state;
         let options = Options {
             general: self.config.general_plan,
-            coverage: s.point.smooth || s.line.smooth || s.polygon.smooth,
+            coverage: pixels.is_none() && (s.point.smooth || s.line.smooth || s.polygon.smooth),
             count_samples: self.queries.is_counting(),
             q_units: self.q_units,
+            pixels,
             silent,
         };
         let program = Program::build(self.config.level, s, textures, self.framebuffer.format(), options);

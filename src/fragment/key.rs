@@ -38,6 +38,21 @@ pub enum Blending {
     Any,
 }
 
+/// Where the colour and the depth of a fragment come from before texturing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FragmentSource {
+    /// Both from the planes of its primitive.
+    #[default]
+    Primitive,
+    /// The colour from a pixel rectangle.
+    PixelColors {
+        /// Whether they are packed bytes.
+        packed: bool,
+    },
+    /// The depth from a pixel rectangle.
+    PixelDepths,
+}
+
 /// Which formula gives the fog factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FogFactor {
@@ -66,6 +81,8 @@ pub enum ColorWrites {
 /// The summary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FragmentKey {
+    /// Where colour and depth come from.
+    pub source: FragmentSource,
     /// The tests.
     pub tests: Tests,
     /// Whether a unit has an enabled and complete texture.
@@ -122,9 +139,14 @@ impl FragmentKey {
         !self.color_sum && self.fog.is_none() && !self.coverage && !self.general
     }
 
-    /// Whether the interpolated colour is packed and stored, without an alpha test.
-    pub fn is_plain(&self) -> bool {
+    /// Whether the primary colour is packed and stored, without an alpha test.
+    pub fn stores_primary(&self) -> bool {
         self.is_packed() && !self.textured && self.ends_with_texturing() && self.tests.alpha.is_none()
+    }
+
+    /// Whether that colour is interpolated.
+    pub fn is_plain(&self) -> bool {
+        self.stores_primary() && !matches!(self.source, FragmentSource::PixelColors { .. })
     }
 
     /// Whether no fragment can be killed and all channels are written packed.
@@ -135,8 +157,9 @@ impl FragmentKey {
     /// Why there is no span kernel, if something rules it out.
     pub fn span_obstacle(&self) -> Option<&'static str> {
         let blends = !matches!(self.blend, None | Some(Blending::Pair(_)));
-        let rows: [(bool, &'static str); 10] = [
+        let rows: [(bool, &'static str); 11] = [
             (self.general, "nothing is to be left out"),
+            (self.source == FragmentSource::PixelDepths, "a pixel rectangle gives the depths"),
             (self.tests.alpha.is_some(), "the alpha test decides late who is stored"),
             (self.tests.stencil.is_some(), "there is a stencil test"),
             (self.counts_samples, "an occlusion query counts fragments"),
@@ -148,8 +171,8 @@ impl FragmentKey {
             (blends, "this blending has no loop of its own"),
         ];
         let written = self.colors != ColorWrites::Nothing;
-        // The rows from the sixth on are about colours, which need not be written.
-        rows.iter().take(if written { 10 } else { 5 }).find(|(holds, _)| *holds).map(|(_, reason)| *reason)
+        // The rows from the seventh on are about colours, which need not be written.
+        rows.iter().take(if written { 11 } else { 6 }).find(|(holds, _)| *holds).map(|(_, reason)| *reason)
     }
 }
 

@@ -12,6 +12,7 @@ mod hiz;
 pub mod key;
 mod lod_bounds;
 mod mip_range;
+pub mod pixel_rect;
 mod plane_eval;
 pub mod planes;
 pub mod program;

@@ -6,6 +6,7 @@
 use super::batch::{FragmentBatch, Segment};
 use super::hiz::Hiz;
 use super::key::FragmentKey;
+use super::pixel_rect::PixelRect;
 use super::planes::{Layout, PlanePool, Planes};
 use super::reference::pack::constant;
 use super::span::kernels::SpanKernel;
@@ -14,9 +15,10 @@ use crate::framebuffer::Band;
 use crate::simd::{LANES, Step, Tally};
 use crate::texture::env::EnvPlan;
 use crate::texture::sampler::Sampler;
+use std::sync::Arc;
 
 /// How a program is to be built, apart from the state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Options {
     /// Leave nothing out that could be kept: a program that gives the same bytes, for tests of exactly that.
     pub general: bool,
@@ -28,13 +30,15 @@ pub struct Options {
     /// Bit u: vertices may give unit u a q that is not 1. A q from texture generation or the texture matrix is found in
     /// the state.
     pub q_units: u32,
+    /// The image whose groups give fragments their colour or depth, in place of the primitive's planes.
+    pub pixels: Option<Arc<PixelRect>>,
     /// Note no decisions, which takes longer than all the rest of building a program.
     pub silent: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { general: false, coverage: false, count_samples: false, q_units: u32::MAX, silent: false }
+        Self { general: false, coverage: false, count_samples: false, q_units: u32::MAX, pixels: None, silent: false }
     }
 }
 

@@ -3,6 +3,7 @@
 
 use super::batch::{FragmentBatch, Segment};
 use super::key::SpanTexture;
+use super::pixel_rect::PixelRect;
 use super::planes::{Layout, Linear, Plane, PlaneGroup, PlanePool, Planes, Unit, UnitSlots};
 use crate::framebuffer::Band;
 use crate::limits::MAX_TEXTURE_UNITS;
@@ -10,6 +11,7 @@ use crate::simd::PixelCost;
 use crate::state::color_buffer::{BlendEquation, BlendFactor};
 use crate::state::depth_stencil::StencilOp;
 use crate::texture::rho_ranges::RhoRanges;
+use std::sync::Arc;
 
 /// The numbers behind a program.
 #[derive(Clone, Debug, Default)]
@@ -42,6 +44,8 @@ pub struct FragUniforms {
     pub blend: BlendUniforms,
     /// What a span kernel shows, where that is a texture.
     pub span: Option<SpanTexture>,
+    /// The image of a pixel rectangle, where fragments are those of one.
+    pub pixels: Option<Arc<PixelRect>>,
 }
 
 /// The numbers of the stencil test.

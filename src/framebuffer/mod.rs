@@ -52,6 +52,13 @@ impl FramebufferFormat {
             bits => u32::MAX >> (32 - u32::from(bits).min(32)),
         }
     }
+
+    /// A depth as the buffer holds it: limited to [0, 1] (NaN gives 0), in units of the buffer, rounded to the nearest.
+    #[must_use]
+    pub fn quantised_depth(&self, depth: f64) -> u32 {
+        let limited = if depth > 0.0 { depth.min(1.0) } else { 0.0 };
+        (limited * f64::from(self.depth_max())).round_ties_even() as u32
+    }
 }
 
 /// Where colours are kept.

@@ -2,7 +2,6 @@
 //! beyond the window on both sides; pixels outside are left as they are, as the specification leaves them undefined.
 
 use super::Framebuffer;
-#[cfg(test)]
 use super::Rect;
 use crate::num::f32_to_u8;
 use std::ops::Range;
@@ -69,10 +68,10 @@ impl Framebuffer {
     }
 }
 
-/// Rows written without any fragment operation, so that tests can fill the buffers.
-#[cfg(test)]
+/// Rows written without any fragment operation: what DrawPixels does with stencil indices.
 impl Framebuffer {
     /// Writes colours to row `y` from `x` on, channels that `mask` lets through; no fragment operation is applied.
+    #[cfg(test)]
     pub fn write_float(&mut self, x: i32, y: i32, colors: &[[f32; 4]], mask: [bool; 4]) {
         self.apply_deferred_clear();
         let Some((to, from)) = self.span(x, y, colors.len()) else { return };
@@ -97,17 +96,13 @@ impl Framebuffer {
         }
     }
 
-    /// Writes depths in [0, 1] to row `y` from `x` on.
-    pub fn write_depth(&mut self, x: i32, y: i32, depths: &[f64]) {
+    /// Writes depths, in units of the depth buffer, to row `y` from `x` on.
+    pub fn write_depth(&mut self, x: i32, y: i32, depths: &[u32]) {
         self.apply_deferred_clear();
         let Some((to, from)) = self.span(x, y, depths.len()) else { return };
         self.hier_z_cleared(Rect { x: 0, y: y.cast_unsigned(), width: self.width, height: 1 }, u32::MAX);
-        let max = f64::from(self.format.depth_max());
         if let (Some(to), Some(from)) = (self.depth.get_mut(to), depths.get(from)) {
-            for (z, &d) in to.iter_mut().zip(from) {
-                let limited = if d > 0.0 { d.min(1.0) } else { 0.0 };
-                *z = (limited * max).round_ties_even() as u32;
-            }
+            to.copy_from_slice(from);
         }
     }
 

@@ -174,10 +174,10 @@ fn rows_may_reach_over_the_edges() {
         let mut out = [7u32; 2];
         f.read_rgba8(x, y, &mut out);
         f.write_stencil(x, y, &[1, 1], 0xFF);
-        f.write_depth(x, y, &[0.5, 0.5]);
+        f.write_depth(x, y, &[0.5, 0.5].map(|depth| f.format().quantised_depth(depth)));
         assert_eq!(out, [7, 7]);
     }
-    f.write_depth(1, 0, &[0.5, f64::NAN]);
+    f.write_depth(1, 0, &[0.5, f64::NAN].map(|depth| f.format().quantised_depth(depth)));
     f.write_stencil(0, 0, &[0xFF, 0x0F, 0xAA], 0x3C);
     let (mut d, mut s) = ([0.0; 3], [0; 3]);
     f.read_depth(0, 0, &mut d);
@@ -290,7 +290,7 @@ fn depth_bounds_of_blocks_are_never_too_small() {
     assert_eq!(f.hier_z[3..6], [half, near, half], "only the block that is covered");
     f.clear(&depth(0.75), Some(Rect { x: 140, y: 2, width: 10, height: 1 })).unwrap();
     assert_eq!(f.hier_z[6..], [half, half, far]);
-    f.write_depth(70, 1, &[0.9]);
+    f.write_depth(70, 1, &[f.format().quantised_depth(0.9)]);
     assert!(f.hier_z[3..6].iter().all(|limit| *limit == u32::MAX));
     let mut band = f.band();
     band.hier_z.invalidate();

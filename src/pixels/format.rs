@@ -202,6 +202,8 @@ impl Type {
 pub enum Purpose {
     /// ReadPixels (section 4.3.2).
     ReadPixels,
+    /// DrawPixels (section 3.6.4).
+    DrawPixels,
     /// TexImage and TexSubImage (section 3.8.1).
     TexImage,
     /// GetTexImage (section 6.1.4).

@@ -9,11 +9,13 @@ pub mod layout;
 pub mod pack;
 pub mod transfer;
 pub mod unpack;
+pub mod zoom;
 
 pub use format::{PixelFormat, PixelKind, Purpose};
 pub use pack::ClientTarget;
 pub use transfer::Transfer;
 pub use unpack::ClientImage;
+pub use zoom::Placement;
 
 #[cfg(test)]
 mod tests;

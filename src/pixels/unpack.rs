@@ -82,6 +82,23 @@ impl<'a> ClientImage<'a> {
         byte >> bit & 1 != 0
     }
 
+    /// Eight bits of a bitmap from group `at` on, the first in the lowest bit; 0 outside.
+    #[must_use]
+    pub fn eight_bits(&self, [x, y, z]: [usize; 3]) -> u8 {
+        let g = &self.layout;
+        if x >= g.width || y >= g.height || z >= g.depth {
+            return 0;
+        }
+        let at = g.first_bit + x;
+        let byte = |i: usize| {
+            let byte = self.bytes.get(g.row_start(y, z) + at / 8 + i).copied().unwrap_or(0);
+            u16::from(if self.lsb_first { byte } else { byte.reverse_bits() })
+        };
+        let bits = (byte(0) | byte(1) << 8) >> (at % 8);
+        let inside = if g.width - x < 8 { (1 << (g.width - x)) - 1 } else { 0xFF };
+        (bits & inside) as u8
+    }
+
     /// The indices from group `at` on, as they stand in memory (before transfer).
     pub fn raw_indices(&self, at: [usize; 3], out: &mut [f64]) {
         let (groups, swap) = (self.groups(at), self.swap);
@@ -107,7 +124,6 @@ impl<'a> ClientImage<'a> {
     }
 
     /// The stencil indices from group `at` on, after transfer; the caller cuts them to the bits of its buffer.
-    #[cfg(test)]
     pub fn stencils(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) {
         let mut raw = [0.0; CHUNK];
         for (n, part) in out.chunks_mut(CHUNK).enumerate() {
@@ -191,6 +207,18 @@ impl<'a> ClientImage<'a> {
                 *to = to_rgba8(from);
             }
         }
+    }
+
+    /// Whether [`ClientImage::colors_rgba8`] gives the same colours as [`ClientImage::colors`]: components of 8 bits that
+    /// pixel transfer leaves as they are.
+    #[must_use]
+    pub fn is_rgba8(&self, transfer: Transfer<'_>) -> bool {
+        let bytes = match self.pixel.type_ {
+            Type::UnsignedByte => self.pixel.kind() == PixelKind::Color,
+            Type::Packed(packing) => packing.bits == [8; 4],
+            _ => false,
+        };
+        bytes && transfer.keeps_colors()
     }
 
     /// [`ClientImage::colors_rgba8`], and the bits that are set in all of them.

@@ -4,11 +4,12 @@ use super::geometry::SceneGeometry;
 use super::program_trait::FragmentProgram;
 use super::setup::SetupContext;
 use super::setup::line::LineInput;
+use super::setup::pixel_rect::BitmapBlock;
 use super::setup::planes::SetupPlan;
 use super::setup::point::PointInput;
 use super::setup::triangle::TriangleInput;
 use super::sink::PrimitiveSink;
-use super::state::RasterState;
+use super::state::{RasterState, Rect};
 use super::triangle_batch::corners::CornerLanes;
 use super::vertex::VertexRef;
 use super::vertex::Vertices;
@@ -70,6 +71,19 @@ impl<'a, P> PrimitiveBuilder<'a, P> {
         SceneGeometry::can_batch(&self.cx, stride)
     }
 
+    /// Draws a pixel rectangle at a raster position; its pixels must lie within the clip rectangle. `memory` is what the
+    /// image of its program takes, in bytes.
+    pub fn pixel_rect(&mut self, position: VertexRef<'_>, rect: Rect, memory: usize) {
+        self.flush_batch();
+        self.geometry.pixel_rect(&self.cx, position, rect, memory);
+    }
+
+    /// Draws blocks of a bitmap with the values of a raster position.
+    pub fn bitmap(&mut self, position: VertexRef<'_>, blocks: impl Iterator<Item = BitmapBlock>) {
+        self.flush_batch();
+        self.geometry.bitmap(&self.cx, position, blocks);
+    }
+
     /// Draws triangles whose corners are some of many vertices; none must need clipping.
     pub fn triangles(&mut self, vertices: &Vertices, triangles: &[[u32; 3]]) {
         self.geometry.queue_all(&self.cx, vertices, triangles);
@@ -99,7 +113,7 @@ impl<P: FragmentProgram> PrimitiveSink for PrimitiveBuilder<'_, P> {
 
     fn point(&mut self, v: VertexRef<'_>) {
         self.flush_batch();
-        self.geometry.point(&self.cx, &PointInput { v, provoking: v.slots, back: false, offset: 0.0 });
+        self.geometry.point(&self.cx, &PointInput::front(v));
     }
 
     fn culls(&self) -> [bool; 2] {

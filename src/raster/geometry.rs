@@ -69,6 +69,8 @@ pub struct SceneGeometry {
     pub outlines: Vec<Outline>,
     /// About how many pixels the primitives cover.
     pub pixels: u64,
+    /// Bytes of the images of pixel rectangles, which the draws hold.
+    pub image_memory: usize,
 }
 
 /// An index as it is kept. There are never 2^32 of anything: a scene is flushed long before.
@@ -94,6 +96,7 @@ impl SceneGeometry {
         self.discs.clear();
         self.outlines.clear();
         self.pixels = 0;
+        self.image_memory = 0;
     }
 
     /// Bytes in use.
@@ -110,6 +113,7 @@ impl SceneGeometry {
             + bytes(&self.lines)
             + bytes(&self.discs)
             + bytes(&self.outlines)
+            + self.image_memory
     }
 
     /// Appends a primitive.

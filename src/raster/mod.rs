@@ -26,6 +26,7 @@ pub use program_trait::FragmentProgram;
 pub use raster_thread::SetupFn;
 pub use scene::Scene;
 pub use scheduler::SplitDraw;
+pub use setup::pixel_rect::BitmapBlock;
 pub use sink::PrimitiveSink;
 pub use state::RasterState;
 pub use triangle_batch::corners::CornerLanes;

@@ -28,6 +28,7 @@ pages! {
     rasterisation = "rasterisation.md";
     lines_and_points = "lines-and-points.md";
     threads_and_bands = "threads-and-bands.md";
+    pixel_rectangles = "pixel-rectangles.md";
     pixels = "pixels.md";
     texture_images = "texture-images.md";
     texture_objects = "texture-objects.md";

@@ -34,6 +34,7 @@ mod lighting;
 mod lines;
 mod lists;
 mod lod;
+mod pixel_rectangles;
 mod pixels;
 mod rasterisation;
 mod shadow;

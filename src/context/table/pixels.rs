@@ -10,12 +10,12 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
     commands {
         /// Draws a rectangle of pixels at the raster position (section 3.6.4).
         list glDrawPixels draw_pixels(width: i32, height: i32, format: enum, type_: enum,
-            pixels: (rect [width, height], format, type_)) missing;
+            pixels: (rect [width, height], format, type_));
         /// Draws a bitmap at the raster position and moves the position (section 3.7).
         list glBitmap bitmap(width: i32, height: i32, xorig: f32, yorig: f32, xmove: f32, ymove: f32,
-            bitmap: (rect [width, height], GL_COLOR_INDEX, GL_BITMAP)) missing;
+            bitmap: (rect [width, height], GL_COLOR_INDEX, GL_BITMAP));
         /// Copies pixels of the read buffer to the raster position (section 4.3.3).
-        list glCopyPixels copy_pixels(x: i32, y: i32, width: i32, height: i32, type_: enum) missing;
+        list glCopyPixels copy_pixels(x: i32, y: i32, width: i32, height: i32, type_: enum);
         /// Sets the zoom of pixel rectangles (section 3.6.5).
         list glPixelZoom pixel_zoom(xfactor: f32, yfactor: f32);
         /// Selects the buffer that pixels are read from (section 4.3.2).

@@ -14,8 +14,8 @@ macro_rules! vertex_table { ($generate:ident) => { $generate! {
         begin FogCoord fog_coord(coordinate: f32);
         begin Index index(index: f32);
         begin EdgeFlag edge_flag(flag: bool);
-        list RasterPos raster_pos(position: {[f32; 4]}) missing;
-        list WindowPos window_pos(position: {[f32; 3]}) missing;
+        list RasterPos raster_pos(position: {[f32; 4]});
+        list WindowPos window_pos(position: {[f32; 3]});
         list Rect rect(corners: {[f32; 4]});
     }
     commands {

@@ -2,7 +2,7 @@
 //! `texturing.rs`); and with it the layout, since every stage that interpolates takes its slots where it is placed.
 
 use super::Builder;
-use crate::fragment::key::{FogFactor, FragmentKey};
+use crate::fragment::key::{FogFactor, FragmentKey, FragmentSource};
 use crate::fragment::program::Fate;
 use crate::fragment::reference::{fog, interpolate, pack};
 use crate::limits::MAX_TEXTURE_UNITS;
@@ -19,9 +19,9 @@ impl Builder<'_> {
             self.texturing(key, textures);
         } else {
             self.decide("texturing", Fate::LeftOut, "no unit has an enabled and complete texture");
-            self.program.layout.color = Some(self.slots(4));
-            let first = self.first();
             if key.is_plain() {
+                self.program.layout.color = Some(self.slots(4));
+                let first = self.first();
                 self.push(if key.stores_at_once() { &pack::COLOR_STORE } else { &pack::COLOR_PACKED }, first);
                 self.decide(
                     "colour",
@@ -29,8 +29,9 @@ impl Builder<'_> {
                     "packed as it is interpolated, once a primitive where it is constant",
                 );
             } else {
-                self.push(&interpolate::COLOR, first);
-                self.decide("colour", Fate::Kept, "interpolated");
+                self.primary_color(key);
+                let from_image = matches!(key.source, FragmentSource::PixelColors { .. });
+                self.decide("colour", Fate::Kept, if from_image { "of the pixel rectangle" } else { "interpolated" });
             }
         }
         if key.color_sum {

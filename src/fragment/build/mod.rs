@@ -10,11 +10,11 @@ mod texturing;
 
 use super::compare::CompareFunc;
 use super::hiz::{HIZ_CULL, HIZ_UPDATE, Hiz, uses_hiz};
-use super::key::{FragmentKey, Tests};
+use super::key::{FragmentKey, FragmentSource, Tests};
 use super::planes::Layout;
 use super::program::{Action, Decision, Fate, Options, Program};
 use super::reference::interpolate::FIRST;
-use super::reference::{alpha, depth, early_depth, env_pack, stencil, texcoord};
+use super::reference::{alpha, depth, early_depth, env_pack, interpolate, pixel_rect, stencil, texcoord};
 use super::span::kernels::SpanKernel;
 use super::uniforms::{FragFn, FragUniforms};
 use crate::framebuffer::FramebufferFormat;
@@ -114,7 +114,12 @@ impl Builder<'_> {
     fn early_tests(&mut self, key: &FragmentKey) {
         let (tests, first, depth_first) = (&key.tests, key.tests_first(), key.depth_first());
         match tests.depth {
-            Some(func) if (first || depth_first) && tests.stencil.is_none() && func != CompareFunc::Always => {
+            Some(func)
+                if (first || depth_first)
+                    && tests.stencil.is_none()
+                    && func != CompareFunc::Always
+                    && key.source != FragmentSource::PixelDepths =>
+            {
                 self.early_depth(func, first && tests.depth_write, tests.depth_write)
             }
             _ => {
@@ -214,7 +219,8 @@ impl Builder<'_> {
             self.program.reads_framebuffer = true;
         }
         if let Some(func) = tests.depth {
-            self.push(&depth::DEPTH, 0);
+            let from_image = self.program.key.source == FragmentSource::PixelDepths;
+            self.push(if from_image { &pixel_rect::PIXEL_DEPTH } else { &depth::DEPTH }, 0);
             if func == CompareFunc::Always && !self.options.general {
                 if depth_write {
                     self.push(&depth::DEPTH_WRITE, 0);
@@ -227,6 +233,17 @@ impl Builder<'_> {
         if tests.stencil.is_some() && tests.stencil_write {
             self.push(&stencil::STENCIL_WRITE, 0);
         }
+    }
+
+    /// The primary colour, as the fragment's colour or for texture environments.
+    fn primary_color(&mut self, key: &FragmentKey) {
+        if let FragmentSource::PixelColors { .. } = key.source {
+            self.push(&pixel_rect::PIXEL_COLOR, if key.textured { pixel_rect::TEXTURED } else { 0 });
+            return;
+        }
+        self.program.layout.color = Some(self.slots(4));
+        let first = self.first();
+        self.push(if key.textured { &interpolate::PRIMARY } else { &interpolate::COLOR }, first);
     }
 
     /// The depth test as the first stage.

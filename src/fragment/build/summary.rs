@@ -4,7 +4,8 @@
 
 use super::Builder;
 use crate::fragment::compare::CompareFunc;
-use crate::fragment::key::{Blending, ColorWrites, FogFactor, FragmentKey, Tests};
+use crate::fragment::key::{Blending, ColorWrites, FogFactor, FragmentKey, FragmentSource, Tests};
+use crate::fragment::pixel_rect::PixelValues;
 use crate::fragment::program::Fate;
 use crate::fragment::reference::blend::packed_pair;
 use crate::fragment::uniforms::{BlendUniforms, StencilUniforms};
@@ -21,6 +22,7 @@ impl Builder<'_> {
         let tests = self.tests();
         let needs_color = colors != ColorWrites::Nothing || tests.alpha.is_some();
         let mut key = FragmentKey {
+            source: self.source(),
             tests,
             textured,
             colors,
@@ -37,6 +39,18 @@ impl Builder<'_> {
             key.coverage = self.options.coverage || self.options.general;
         }
         key
+    }
+
+    /// Where colour and depth come from.
+    fn source(&mut self) -> FragmentSource {
+        let Some(rect) = self.options.pixels.take() else { return FragmentSource::Primitive };
+        let source = match rect.values {
+            PixelValues::Packed(_) => FragmentSource::PixelColors { packed: true },
+            PixelValues::Colors(_) => FragmentSource::PixelColors { packed: false },
+            PixelValues::Depths(_) => FragmentSource::PixelDepths,
+        };
+        self.program.uniforms.pixels = Some(rect);
+        source
     }
 
     /// Which channels are written; notes masks and units of the stores.

@@ -6,7 +6,7 @@ use super::{Builder, Names};
 use crate::fragment::key::{Blending, EnvStep, FragmentKey, LightMap, LinearTexture, NearestTexture, SpanTexture};
 use crate::fragment::planes::UnitSlots;
 use crate::fragment::program::{Action, Fate};
-use crate::fragment::reference::{env_pack, interpolate, texcoord};
+use crate::fragment::reference::{env_pack, texcoord};
 use crate::limits::MAX_TEXTURE_UNITS;
 use crate::state::texture::{CombineFunction, CombineOperand, Env};
 use crate::texture::env::combine::{ColorSource, CombineHalf};
@@ -81,9 +81,7 @@ impl Builder<'_> {
             _ => self.reads_primary(&bases) || self.options.general,
         };
         if reads_primary {
-            self.program.layout.color = Some(self.slots(4));
-            let first = self.first();
-            self.push(&interpolate::PRIMARY, first);
+            self.primary_color(key);
             self.decide("colour", Fate::Kept, "a texture environment reads it");
         } else {
             self.decide("colour", Fate::LeftOut, "no texture environment reads the primary colour");

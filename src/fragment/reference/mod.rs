@@ -12,6 +12,7 @@ pub mod interpolate;
 pub mod lanes;
 pub mod logic_op;
 pub mod pack;
+pub mod pixel_rect;
 pub mod places;
 pub mod stencil;
 pub mod texcoord;

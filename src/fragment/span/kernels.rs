@@ -5,9 +5,10 @@
 
 use super::color::FlatColor;
 use super::long::{COLOR, DEPTH, textured_row, whole_row};
+use super::pixel_rect::pixel_row;
 use super::short::{colored_rows, textured_rows};
 use crate::fragment::batch::{FragmentBatch, Segment};
-use crate::fragment::key::{ColorWrites, FragmentKey, SpanTexture};
+use crate::fragment::key::{ColorWrites, FragmentKey, FragmentSource, SpanTexture};
 use crate::fragment::planes::Planes;
 use crate::fragment::reference::depth::WRITE;
 use crate::fragment::reference::lanes::row_origin;
@@ -20,6 +21,8 @@ use crate::simd::{Level, Stage, Step, stage};
 pub enum Shows {
     /// The primary colour, or depth alone.
     Color,
+    /// Packed colours of a pixel rectangle.
+    Pixels,
     /// Nearest texels.
     Nearest,
     /// A linear filter of three channels, perhaps with a light map.
@@ -45,7 +48,7 @@ struct Row {
 }
 
 /// All kernels.
-static KERNELS: [Row; 5] = [
+static KERNELS: [Row; 6] = [
     Row {
         shows: Shows::Color,
         long: &LONG_COLOR,
@@ -54,6 +57,15 @@ static KERNELS: [Row; 5] = [
         short_below: 64,
         pixel: 4,
         reason: "only depth and the primary colour",
+    },
+    Row {
+        shows: Shows::Pixels,
+        long: &LONG_PIXELS,
+        short: None,
+        long_from: 8,
+        short_below: 0,
+        pixel: 2,
+        reason: "only depth and a pixel rectangle of packed colours",
     },
     Row {
         shows: Shows::Nearest,
@@ -130,6 +142,8 @@ impl SpanKernel {
         let has_color = key.colors != ColorWrites::Nothing;
         let shows = match texture {
             _ if !has_color => Shows::Color,
+            _ if key.source == FragmentSource::PixelColors { packed: true } && key.stores_primary() => Shows::Pixels,
+            _ if key.source != FragmentSource::Primitive => return Err("a pixel rectangle gives the colours"),
             None if key.is_plain() => Shows::Color,
             None if key.textured => return Err("texturing is more than a filter and a simple environment"),
             None => return Err("untextured colours are blended"),
@@ -209,6 +223,12 @@ stage! {
     fn LONG_COLOR: LongFn = (_b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, s: &Segment, arg: u32) -> u32 {
         let Some(planes) = w.planes.get(s.prim as usize) else { return 0 };
         long_color(u, w, s, planes, arg)
+    }
+
+    /// Depth and a pixel rectangle.
+    fn LONG_PIXELS: LongFn = (_b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, s: &Segment, arg: u32) -> u32 {
+        let Some(planes) = w.planes.get(s.prim as usize) else { return 0 };
+        pixel_row(u, w, s, planes, arg)
     }
 
     /// Depth and nearest texels.

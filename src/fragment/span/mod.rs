@@ -8,6 +8,7 @@ pub mod kernels;
 mod long;
 pub mod mip_fraction;
 mod nearest;
+mod pixel_rect;
 pub mod projection;
 mod sampled;
 mod shader;

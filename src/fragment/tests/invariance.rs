@@ -107,7 +107,7 @@ fn nothing_that_is_left_out_changes_a_bit() {
         let seed = r.next();
         for level in Level::available() {
             for general in [true, false] {
-                let options = Options { general, coverage, count_samples, q_units: 0, silent: true };
+                let options = Options { general, coverage, count_samples, q_units: 0, pixels: None, silent: true };
                 let p = program(level, &state, &format, options);
                 if !general && p.stage_names().len() < 10 {
                     shorter += 1;

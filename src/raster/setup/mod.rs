@@ -3,6 +3,7 @@
 
 pub(super) mod basis;
 pub(super) mod line;
+pub(super) mod pixel_rect;
 pub(super) mod plane_buffer;
 pub(super) mod planes;
 pub(super) mod point;

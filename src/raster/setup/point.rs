@@ -22,6 +22,13 @@ pub(crate) struct PointInput<'a> {
     pub offset: f64,
 }
 
+impl<'a> PointInput<'a> {
+    /// A point that belongs to no polygon.
+    pub(crate) fn front(v: VertexRef<'a>) -> Self {
+        Self { v, provoking: v.slots, back: false, offset: 0.0 }
+    }
+}
+
 /// The pixels of an aliased point: a square of `size` pixels around the pixel of the centre (odd sizes) or around the
 /// corner nearest to the centre (even sizes).
 fn square(center: [i32; 2], size: i32) -> Rect {
@@ -62,7 +69,7 @@ impl SceneGeometry {
     }
 
     /// Planes without slopes; those of the slots go to the plane buffer.
-    fn point_planes(&mut self, cx: &SetupContext, dot: &PointInput, origin: [i32; 2]) -> Planes {
+    pub(super) fn point_planes(&mut self, cx: &SetupContext, dot: &PointInput, origin: [i32; 2]) -> Planes {
         let head = dot.v.head;
         let at = head.window[2] * cx.rs.depth_scale + dot.offset;
         let z = Linear { at: if at.is_finite() { at } else { 0.0 }, x: 0.0, y: 0.0 };
