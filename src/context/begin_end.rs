@@ -81,7 +81,7 @@ impl Engine {
 
     /// Runs the full batch. Where several threads draw, the vertices of a long primitive are collected for them first. Two
     /// threads share out small triangles in another way: one walks, and gets some of the vertices.
-    fn batch_is_full(&mut self) {
+    pub(crate) fn batch_is_full(&mut self) {
         self.batches += 1;
         let collects = match self.config.threads {
             1 => false,

@@ -21,6 +21,7 @@ mod draw_tests;
 pub(crate) mod enable;
 pub(crate) mod engine;
 pub(crate) mod errors;
+pub(crate) mod evaluators;
 pub(crate) mod fetch;
 pub(crate) mod flush;
 pub(crate) mod fragment_state;

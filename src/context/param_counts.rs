@@ -4,6 +4,8 @@
 
 use super::pixels_arg::index_size;
 use crate::enums::*;
+use crate::limits::MAX_EVAL_ORDER;
+use crate::state::eval::{COMPONENTS, map1_kind, map2_kind};
 
 /// A count argument: a negative one counts nothing.
 pub(crate) fn count(n: i32) -> usize {
@@ -132,27 +134,8 @@ pub(crate) fn imaging_parameter(pname: GLenum) -> usize {
 
 /// Components of a control point of an evaluator map.
 pub(crate) fn map_components(target: GLenum) -> usize {
-    match target {
-        GL_MAP1_VERTEX_3
-        | GL_MAP2_VERTEX_3
-        | GL_MAP1_NORMAL
-        | GL_MAP2_NORMAL
-        | GL_MAP1_TEXTURE_COORD_3
-        | GL_MAP2_TEXTURE_COORD_3 => 3,
-        GL_MAP1_VERTEX_4
-        | GL_MAP2_VERTEX_4
-        | GL_MAP1_COLOR_4
-        | GL_MAP2_COLOR_4
-        | GL_MAP1_TEXTURE_COORD_4
-        | GL_MAP2_TEXTURE_COORD_4 => 4,
-        GL_MAP1_TEXTURE_COORD_2 | GL_MAP2_TEXTURE_COORD_2 => 2,
-        GL_MAP1_INDEX | GL_MAP2_INDEX | GL_MAP1_TEXTURE_COORD_1 | GL_MAP2_TEXTURE_COORD_1 => 1,
-        _ => 0,
-    }
+    map1_kind(target).or_else(|| map2_kind(target)).map_or(0, |kind| COMPONENTS[kind])
 }
-
-/// Highest order of an evaluator: what lies beyond it is an error and its points are not touched.
-const MAX_ORDER: i32 = 1024;
 
 /// Numbers that the control points of a one-dimensional map span.
 pub(crate) fn map1(target: GLenum, stride: i32, order: i32) -> usize {
@@ -162,7 +145,8 @@ pub(crate) fn map1(target: GLenum, stride: i32, order: i32) -> usize {
 /// Numbers that the control points of a two-dimensional map span.
 pub(crate) fn map2(target: GLenum, ustride: i32, uorder: i32, vstride: i32, vorder: i32) -> usize {
     let components = map_components(target);
-    let orders = 1..=MAX_ORDER;
+    // What lies beyond the highest order is an error, and its points are not touched.
+    let orders = 1..=MAX_EVAL_ORDER as i32;
     if components == 0 || !orders.contains(&uorder) || !orders.contains(&vorder) {
         return 0;
     }

@@ -9,6 +9,7 @@
 //! of them over a batch becomes SIMD code at every level. The `f64` functions serve what is computed once a command:
 //! matrices, quadrics, tables.
 
+pub mod bernstein;
 mod bytes;
 mod exp_log;
 mod exp_log64;

@@ -59,6 +59,8 @@ pub struct State {
     pub pixel_maps: pixel_maps::PixelMaps,
     /// Evaluators (table 6.22).
     pub eval: eval::Eval,
+    /// Their maps, in no attribute group.
+    pub eval_maps: eval::EvalMaps,
     /// Hints (table 6.26).
     pub hint: raster::Hint,
     /// Base of `glCallLists` (table 6.27).

@@ -4,24 +4,24 @@
 macro_rules! evaluators_table { ($generate:ident) => { $generate! {
     title "Evaluators (section 5.1)";
     canonical {
-        list Map1 map1(target: enum, u1: f64, u2: f64, stride: i32, order: i32, points: (slice f64:)) missing;
+        list Map1 map1(target: enum, u1: f64, u2: f64, stride: i32, order: i32, points: (slice f64:));
         list Map2 map2(target: enum, u1: f64, u2: f64, ustride: i32, uorder: i32, v1: f64, v2: f64, vstride: i32,
-            vorder: i32, points: (slice f64:)) missing;
-        list MapGrid1 map_grid1(un: i32, u1: f64, u2: f64) missing;
-        list MapGrid2 map_grid2(un: i32, u1: f64, u2: f64, vn: i32, v1: f64, v2: f64) missing;
-        begin EvalCoord1 eval_coord1(u: f64) missing;
-        begin EvalCoord2 eval_coord2(u: f64, v: f64) missing;
+            vorder: i32, points: (slice f64:));
+        list MapGrid1 map_grid1(un: i32, u1: f64, u2: f64);
+        list MapGrid2 map_grid2(un: i32, u1: f64, u2: f64, vn: i32, v1: f64, v2: f64);
+        begin EvalCoord1 eval_coord1(u: f64);
+        begin EvalCoord2 eval_coord2(u: f64, v: f64);
     }
     commands {
         /// Evaluates at a point of the one-dimensional grid (section 5.1).
-        begin glEvalPoint1 eval_point1(i: i32) missing;
+        begin glEvalPoint1 eval_point1(i: i32);
         /// Evaluates at a point of the two-dimensional grid (section 5.1).
-        begin glEvalPoint2 eval_point2(i: i32, j: i32) missing;
+        begin glEvalPoint2 eval_point2(i: i32, j: i32);
         /// Draws a part of the one-dimensional grid (section 5.1). `INVALID_ENUM` if `mode` is neither `POINT` nor `LINE`.
-        list glEvalMesh1 eval_mesh1(mode: enum, i1: i32, i2: i32) missing;
+        list glEvalMesh1 eval_mesh1(mode: enum, i1: i32, i2: i32);
         /// Draws a part of the two-dimensional grid (section 5.1). `INVALID_ENUM` if `mode` is not `POINT`, `LINE` or
         /// `FILL`.
-        list glEvalMesh2 eval_mesh2(mode: enum, i1: i32, i2: i32, j1: i32, j2: i32) missing;
+        list glEvalMesh2 eval_mesh2(mode: enum, i1: i32, i2: i32, j1: i32, j2: i32);
     }
     forms {
         family "Sets a one-dimensional map (section 5.1). `INVALID_VALUE` if the ends coincide, the stride is too small or the order out of range." {
@@ -73,7 +73,7 @@ macro_rules! evaluators_table { ($generate:ident) => { $generate! {
         }
     }
     answers {
-        get_map(target: enum, query: enum) missing;
+        get_map(target: enum, query: enum);
     }
     manual {}
 } } }
