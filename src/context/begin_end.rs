@@ -88,7 +88,7 @@ impl Engine {
             2 => self.scene.wants_setup_work() || self.scene.has_large_primitives() || self.pipe.has_collected(),
             _ => true,
         };
-        if collects && self.scene.can_be_split() && self.pipe.collect() {
+        if collects && self.renders() && self.scene.can_be_split() && self.pipe.collect() {
             self.draw_collected();
         } else {
             self.run_vertices();

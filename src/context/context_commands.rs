@@ -3,7 +3,6 @@
 //! stand in the section `context` call the functions here; those in `manual` are the methods at the end.
 
 use super::draw_arrays::ArrayElement;
-use super::errors::missing;
 use super::recorder::Command;
 use super::table::ops::vertex::Op;
 use super::{Context, IndexLists, Indices, Pixels, Values};
@@ -303,7 +302,7 @@ impl Context {
         if self.flags.tracing() {
             self.trace(name, &[("mode", &super::show::Enumerant(mode))]);
         }
-        outside(self, name, |_| Err(missing("render_mode")))
+        outside(self, name, |cx| cx.engine.render_mode(mode))
     }
 
     /// Sets how many values feedback mode may write and which (section 5.3). The memory is the context's.
@@ -315,7 +314,7 @@ impl Context {
         if self.flags.tracing() {
             self.trace(name, &[("size", &size), ("type", &super::show::Enumerant(type_))]);
         }
-        outside(self, name, |_| Err(missing("feedback_buffer")))
+        outside(self, name, |cx| cx.engine.feedback_buffer(size, type_))
     }
 
     /// Sets how many values selection mode may write (section 5.2). The memory is the context's.
@@ -327,17 +326,17 @@ impl Context {
         if self.flags.tracing() {
             self.trace(name, &[("size", &size)]);
         }
-        outside(self, name, |_| Err(missing("select_buffer")))
+        outside(self, name, |cx| cx.engine.select_buffer(size))
     }
 
     /// What the last feedback mode has written.
     pub fn feedback_values(&mut self) -> &[f32] {
-        &[]
+        self.engine.feedback_values()
     }
 
     /// What the last selection mode has written.
     pub fn select_values(&mut self) -> &[u32] {
-        &[]
+        self.engine.select_values()
     }
 
     /// Maps the buffer object that is bound to a target: its bytes, to be read and written until `unmap_buffer` (section

@@ -139,13 +139,13 @@ impl Engine {
             return Ok(());
         }
         let last = first + count.unsigned_abs() - 1;
-        let Self { pipe, draw_workers, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let Self { render_modes, pipe, draw_workers, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, (first, last), |place| Sources::wanted(place, needs));
         sources.defaults(&mut pipe.worker.processor.batch);
         let short = sources.too_short(last);
         let (threads, passed) = (config.threads, &mut queries.passed);
-        let drawing = Drawing { pipe, draw_workers, scene, framebuffer, threads, passed };
+        let drawing = Drawing { render_modes, pipe, draw_workers, scene, framebuffer, threads, passed };
         drawing.draw(&sources, mode, ElementOrder::Range(first..first + there));
         if let Some((place, there)) = short {
             self.note(format!(
@@ -163,7 +163,7 @@ impl Engine {
         if count == 0 || !self.start_arrays() {
             return Ok(());
         }
-        let Self { pipe, draw_workers, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let Self { render_modes, pipe, draw_workers, scene, client, buffers, framebuffer, config, queries, .. } = self;
         let list = index_list(&client.arrays, buffers, count, type_, indices)?;
         // Only memory of unknown length needs to know which elements are drawn.
         let range = if client.arrays.has_client_memory() { list.limits() } else { (0, u32::MAX) };
@@ -171,7 +171,7 @@ impl Engine {
         let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
         sources.defaults(&mut pipe.worker.processor.batch);
         let (threads, passed) = (config.threads, &mut queries.passed);
-        Drawing { pipe, draw_workers, scene, framebuffer, threads, passed }.draw(
+        Drawing { render_modes, pipe, draw_workers, scene, framebuffer, threads, passed }.draw(
             &sources,
             mode,
             ElementOrder::List(list),

@@ -2,6 +2,7 @@
 //! display lists have in common. A draw that is worth it is cut into parts for several threads.
 
 use super::engine::Engine;
+use super::render_modes::RenderModes;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::raster::Scene;
@@ -13,6 +14,7 @@ use crate::vertex::source::{ElementOrder, VertexSource};
 
 /// The parts of the engine that a draw works with; the rest may be where its vertices are.
 pub(crate) struct Drawing<'a> {
+    pub(crate) render_modes: &'a mut RenderModes,
     pub(crate) pipe: &'a mut VertexPipeline,
     /// The draw_workers of the second thread and those after it.
     pub(crate) draw_workers: &'a mut Vec<DrawWorker>,
@@ -26,10 +28,13 @@ pub(crate) struct Drawing<'a> {
 impl Drawing<'_> {
     /// Draws a primitive. What its vertices have in common must be in the pipe's batch already.
     pub(crate) fn draw<S: VertexSource>(self, source: &S, mode: PrimitiveMode, order: ElementOrder<IndexList<'_>>) {
-        let Self { pipe, draw_workers, scene, framebuffer, threads, passed } = self;
+        let Self { render_modes, pipe, draw_workers, scene, framebuffer, threads, passed } = self;
         let cut = pipe.cut();
         let VertexPipeline { plan, worker, .. } = pipe;
         let draw = SourceDraw { plan, source, mode, cut };
+        if let Some(mut capture) = render_modes.capture() {
+            return worker.draw(&draw, order, &mut capture, |_| {});
+        }
         let threads = if scene.can_be_split() { threads } else { 1 };
         match SplitSourceDraw::new(draw, order, threads) {
             Ok(parts) => {
@@ -56,8 +61,8 @@ impl Engine {
         mode: PrimitiveMode,
         order: ElementOrder<IndexList<'_>>,
     ) {
-        let Self { pipe, draw_workers, scene, framebuffer, config, queries, .. } = self;
+        let Self { render_modes, pipe, draw_workers, scene, framebuffer, config, queries, .. } = self;
         let (threads, passed) = (config.threads, &mut queries.passed);
-        Drawing { pipe, draw_workers, scene, framebuffer, threads, passed }.draw(source, mode, order);
+        Drawing { render_modes, pipe, draw_workers, scene, framebuffer, threads, passed }.draw(source, mode, order);
     }
 }

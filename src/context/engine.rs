@@ -9,6 +9,7 @@ use super::config::Config;
 use super::proxies::{Proxies, Proxy};
 use super::query_objects::Queries;
 use super::raster_position::RasterPosProcessor;
+use super::render_modes::RenderModes;
 use super::texture_objects::Textures;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
@@ -88,6 +89,8 @@ pub(crate) struct Engine {
     pub(crate) last_note: String,
     /// Where what is done is counted, if somebody wants to know.
     pub(crate) tally: Option<Tally>,
+    /// Selection and feedback.
+    pub(crate) render_modes: RenderModes,
     /// Occlusion queries.
     pub(crate) queries: Queries,
     /// The buffers that are drawn into.
@@ -131,6 +134,7 @@ impl Engine {
             notes: Vec::new(),
             last_note: String::new(),
             tally: None,
+            render_modes: RenderModes::default(),
             queries: Queries::default(),
             framebuffer,
         };

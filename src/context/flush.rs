@@ -27,6 +27,9 @@ impl Engine {
                 mask & !all
             )));
         }
+        if !self.renders() {
+            return Ok(());
+        }
         self.flush_scene();
         let s = &self.state;
         let has = |bit: u32| mask & bit != 0;
@@ -51,6 +54,9 @@ impl Engine {
             GL_ADD => AccumOp::Add,
             _ => return Err(invalid_enum(format!("{} is not an accumulation operation", name(op)))),
         };
+        if !self.renders() {
+            return Ok(());
+        }
         self.flush_scene();
         let rect = self.scissor_rect().unwrap_or_else(|| self.framebuffer.rect(0, 0, i32::MAX, i32::MAX));
         let none = self.state.color_buffer.draw_buffer == ColorBufferName::None;

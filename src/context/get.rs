@@ -199,6 +199,7 @@ impl Engine {
                 return self
                     .pixel_value(pname)
                     .or_else(|| self.framebuffer_value(pname))
+                    .or_else(|| self.render_mode_value(pname))
                     .or_else(|| self.array_value(pname));
             }
         })

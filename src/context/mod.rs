@@ -47,6 +47,7 @@ pub(crate) mod raster_position;
 pub(crate) mod raster_state;
 pub(crate) mod readback;
 pub(crate) mod recorder;
+pub(crate) mod render_modes;
 pub(crate) mod show;
 pub mod table;
 pub(crate) mod tex_image;

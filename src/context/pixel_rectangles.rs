@@ -170,7 +170,7 @@ impl Engine {
                 Err(invalid_value(format!("no pixels to draw; pass {width} by {height} of them")))
             }
             None => Ok(()),
-            Some(image) => self.draw_rectangle(&Source::Client(image), size, pixel.kind()),
+            Some(image) => self.draw_rectangle(GL_DRAW_PIXEL_TOKEN, &Source::Client(image), size, pixel.kind()),
         }
     }
 
@@ -179,12 +179,12 @@ impl Engine {
         let size = check_size(width, height)?;
         self.check_has_buffers(kind)?;
         self.flush_scene();
-        self.draw_rectangle(&Source::Framebuffer([x, y]), size, kind)
+        self.draw_rectangle(GL_COPY_PIXEL_TOKEN, &Source::Framebuffer([x, y]), size, kind)
     }
 
     /// Draws groups at the raster position, if that is valid.
-    fn draw_rectangle(&mut self, source: &Source<'_>, size: [u32; 2], kind: PixelKind) -> Outcome {
-        if size.contains(&0) || !self.state.current.raster.valid {
+    fn draw_rectangle(&mut self, token: GLenum, source: &Source<'_>, size: [u32; 2], kind: PixelKind) -> Outcome {
+        if size.contains(&0) || !self.state.current.raster.valid || self.captures_pixels(token) {
             return Ok(());
         }
         let (raster, [x, y, ..]) = (self.raster_state(), self.state.current.raster.position);
@@ -271,6 +271,7 @@ impl Engine {
             None if width > 0 && height > 0 => {
                 return Err(invalid_value(format!("no bitmap to draw; pass {width} by {height} bits")));
             }
+            _ if self.captures_pixels(GL_BITMAP_TOKEN) => {}
             Some(image) if width > 0 && height > 0 => self.draw_bitmap(&image, [xorig, yorig]),
             _ => {}
         }
@@ -309,10 +310,5 @@ impl Engine {
                 self.unit_has_q(unit);
             }
         }
-    }
-
-    fn raster_state(&self) -> RasterState {
-        let (width, height) = (self.framebuffer.width(), self.framebuffer.height());
-        RasterState::build(&self.state, width, height, u32::from(self.framebuffer.format().depth_bits))
     }
 }

@@ -13,23 +13,28 @@ use crate::state::fog::FogCoordSource;
 use crate::vertex::batch::VertexBatch;
 use crate::vertex::plan::{VertexPlan, Wants};
 
-/// Slots of the raster position's values: primary colour, secondary colour, fog coordinate, then s, t, r, q of each unit.
-const COLOR: usize = 0;
-const SECONDARY: usize = 4;
-const FOG: usize = 7;
-const COORDS: usize = 8;
+/// Where the values of a whole vertex stand: primary colour, secondary colour, fog coordinate, then s, t, r, q of each unit.
+pub(crate) struct WholeSlots {
+    pub(crate) color: usize,
+    secondary: usize,
+    fog: usize,
+    pub(crate) coordinates: usize,
+}
+
+/// The one order of them.
+pub(crate) const SLOTS: WholeSlots = WholeSlots { color: 0, secondary: 4, fog: 7, coordinates: 8 };
 
 /// Everything that a vertex can have, each in a slot.
-fn whole_layout() -> Layout {
+pub(crate) fn whole_layout() -> Layout {
     let slots = |unit: usize| {
-        let base = COORDS + 4 * unit;
+        let base = SLOTS.coordinates + 4 * unit;
         UnitSlots { base, count: 3, has_q: true, period: [0; 3], size: [1; 3], cube: false }
     };
-    let count = COORDS + 4 * MAX_TEXTURE_UNITS;
+    let count = SLOTS.coordinates + 4 * MAX_TEXTURE_UNITS;
     Layout {
-        color: Some(COLOR),
-        secondary: Some(SECONDARY),
-        fog: Some(FOG),
+        color: Some(SLOTS.color),
+        secondary: Some(SLOTS.secondary),
+        fog: Some(SLOTS.fog),
         units: std::array::from_fn(|unit| Some(slots(unit))),
         count,
         back: None,
@@ -73,16 +78,17 @@ impl Engine {
         }
         let [x, y, z] = batch.window.each_ref().map(|lanes| lanes[0]);
         let out = &batch.out[..];
-        let [r, g, b] = first_lane(out, SECONDARY);
+        let [r, g, b] = first_lane(out, SLOTS.secondary);
         *raster = RasterPos {
             position: [x, y, z, batch.clip[3][0]],
-            distance: first_lane::<1>(out, FOG)[0],
-            color: first_lane::<4>(out, COLOR).map(clamp01),
+            distance: first_lane::<1>(out, SLOTS.fog)[0],
+            color: first_lane::<4>(out, SLOTS.color).map(clamp01),
             secondary_color: [r, g, b, 1.0].map(clamp01),
             index: self.state.current.index,
-            tex_coord: std::array::from_fn(|unit| first_lane(out, COORDS + 4 * unit)),
+            tex_coord: std::array::from_fn(|unit| first_lane(out, SLOTS.coordinates + 4 * unit)),
             valid: true,
         };
+        self.select_raster_position();
     }
 
     /// The depth range maps z from [0, 1]; the colours and texture coordinates are the current ones, neither lit nor
@@ -101,6 +107,7 @@ impl Engine {
             tex_coord: current.tex_coord,
             valid: true,
         };
+        self.select_raster_position();
     }
 }
 

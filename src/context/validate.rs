@@ -30,19 +30,36 @@ impl Engine {
             return;
         }
         self.run_vertices();
+        if !self.renders() {
+            return self.validate_capture();
+        }
         if self.dirty.fragment || self.program.is_none() {
             self.program = Some(Arc::new(self.build_program(true, None)));
         }
         let Some(program) = self.program.clone() else { return };
-        let format = self.framebuffer.format();
-        let (width, height) = (self.framebuffer.width(), self.framebuffer.height());
-        let raster = RasterState::build(&self.state, width, height, u32::from(format.depth_bits));
+        let raster = self.raster_state();
         let polygons_filled = self.state.polygon.mode == [PolygonMode::Fill; 2];
         let wants = Wants { exact_volume: !polygons_filled, edges: !polygons_filled };
         self.pipe.rebuild(&self.state, &program.layout, wants);
         self.scene.begin_draw(Arc::new(Draw { program, raster }));
         self.dirty = Dirty::NONE;
         self.drawing = true;
+    }
+
+    /// The same for primitives that are captured: they are clipped to all planes, and have every value that can be asked for.
+    fn validate_capture(&mut self) {
+        let raster = self.raster_state();
+        let layout = self.render_modes.prepare(&self.state, raster);
+        self.pipe.rebuild(&self.state, layout, Wants { exact_volume: true, edges: true });
+        // The fragment program is still to be brought up to date.
+        self.dirty = Dirty { fragment: self.dirty.fragment, ..Dirty::NONE };
+        self.drawing = true;
+    }
+
+    /// How primitives become fragments in the present state.
+    pub(crate) fn raster_state(&self) -> RasterState {
+        let (width, height) = (self.framebuffer.width(), self.framebuffer.height());
+        RasterState::build(&self.state, width, height, u32::from(self.framebuffer.format().depth_bits))
     }
 
     /// What is decided about each stage of the present state's program, in words. The programs that draw know none.
@@ -130,7 +147,10 @@ impl Engine {
     /// Runs the vertices that wait, by the plans of when they were issued.
     pub(crate) fn run_vertices(&mut self) {
         if self.pipe.is_waiting() {
-            self.pipe.run(&mut self.scene);
+            match self.render_modes.capture() {
+                Some(mut capture) => self.pipe.run(&mut capture),
+                None => self.pipe.run(&mut self.scene),
+            }
             self.make_room();
         }
     }

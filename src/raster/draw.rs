@@ -29,11 +29,8 @@ impl<P: FragmentProgram> Draw<P> {
     /// not.
     #[must_use]
     pub fn culls(&self) -> [bool; 2] {
-        let rs = &self.raster;
         let nothing = self.program.draws_nothing();
-        let faces = if rs.ccw_is_front { [rs.cull[0], rs.cull[1]] } else { [rs.cull[1], rs.cull[0]] };
-        // An area of zero is a back face (section 2.14.1), whichever way is the front.
-        [nothing || faces[0], nothing || (faces[1] && rs.cull[1])]
+        self.raster.culls().map(|culls| nothing || culls)
     }
 }
 

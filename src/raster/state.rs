@@ -88,6 +88,14 @@ pub struct RasterState {
 }
 
 impl RasterState {
+    /// Whether triangles are culled whose area in the window is positive (counter-clockwise), or is not.
+    #[must_use]
+    pub fn culls(&self) -> [bool; 2] {
+        let faces = if self.ccw_is_front { [self.cull[0], self.cull[1]] } else { [self.cull[1], self.cull[0]] };
+        // An area of zero is a back face (section 2.14.1), whichever way is the front.
+        [faces[0], faces[1] && self.cull[1]]
+    }
+
     /// What the state says, for a framebuffer of a size and with so many depth bits.
     #[must_use]
     pub fn build(state: &State, width: u32, height: u32, depth_bits: u32) -> Self {

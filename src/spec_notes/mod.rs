@@ -28,6 +28,8 @@ pages! {
     rasterisation = "rasterisation.md";
     lines_and_points = "lines-and-points.md";
     threads_and_bands = "threads-and-bands.md";
+    evaluators = "evaluators.md";
+    selection_and_feedback = "selection-and-feedback.md";
     pixel_rectangles = "pixel-rectangles.md";
     pixels = "pixels.md";
     texture_images = "texture-images.md";

@@ -10,15 +10,15 @@ macro_rules! lists_table {
                 /// Sets what CallLists adds to every name (section 5.4).
                 list glListBase list_base(base: uint);
                 /// Empties the name stack (section 5.2).
-                list glInitNames init_names() missing;
+                list glInitNames init_names();
                 /// Replaces the top of the name stack (section 5.2). `INVALID_OPERATION` if it is empty.
-                list glLoadName load_name(name: uint) missing;
+                list glLoadName load_name(name: uint);
                 /// Pushes a name (section 5.2). `STACK_OVERFLOW` on a full stack.
-                list glPushName push_name(name: uint) missing;
+                list glPushName push_name(name: uint);
                 /// Pops a name (section 5.2). `STACK_UNDERFLOW` on an empty stack.
-                list glPopName pop_name() missing;
+                list glPopName pop_name();
                 /// Writes a number into the feedback buffer (section 5.3).
-                list glPassThrough pass_through(token: f32) missing;
+                list glPassThrough pass_through(token: f32);
             }
             forms {}
             context {
@@ -52,9 +52,9 @@ macro_rules! lists_table {
             queries {}
             answers {}
             manual {
-                now glRenderMode missing;
-                now glFeedbackBuffer missing;
-                now glSelectBuffer missing;
+                now glRenderMode;
+                now glFeedbackBuffer;
+                now glSelectBuffer;
             }
         }
     };

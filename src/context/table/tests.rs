@@ -186,5 +186,5 @@ fn no_argument_makes_a_recorded_command_panic() {
 fn rows_that_wait_for_their_engine_are_marked_and_counted() {
     let missing: Vec<_> = super::rows::missing().collect();
     assert!(missing.iter().all(|(_, mark)| *mark == "missing"));
-    assert_eq!(missing.len(), 32, "{missing:?}");
+    assert_eq!(missing.len(), 24, "{missing:?}");
 }
