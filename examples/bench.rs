@@ -95,6 +95,10 @@ fn options() -> Options {
             text.parse().unwrap_or_else(|_| wrong(&format!("{text} is not a number of the kind that is needed")))
         }
         match argument.as_str() {
+            "--help" | "-h" => {
+                println!("{USAGE}");
+                exit(0);
+            }
             "--quick" => quick = true,
             "--list" => {
                 SCENES.iter().for_each(|scene| println!("{:5} {}", scene.id, scene.what));

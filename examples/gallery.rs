@@ -72,15 +72,14 @@ fn page(drawn: &[Drawn]) -> Result<String, std::fmt::Error> {
 }
 
 fn folder() -> PathBuf {
-    let mut arguments = std::env::args().skip(1);
-    match (arguments.next().as_deref(), arguments.next()) {
-        (None, _) => PathBuf::from("out/gallery"),
-        (Some("--out"), Some(folder)) => PathBuf::from(folder),
-        _ => {
-            eprintln!("usage: gallery [--out FOLDER]");
-            std::process::exit(2);
-        }
-    }
+    let usage =
+        "usage: gallery [--out FOLDER]\n\nDraws every scene into FOLDER (out/gallery) and writes a page about them.\n";
+    support::arguments(usage, |arguments| match (arguments.next().as_deref(), arguments.next()) {
+        (None, _) => Ok(PathBuf::from("out/gallery")),
+        (Some("--out"), Some(folder)) => Ok(PathBuf::from(folder)),
+        (Some("--out"), None) => Err("--out needs a folder".into()),
+        (Some(other), _) => Err(format!("{other} is not known")),
+    })
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

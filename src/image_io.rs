@@ -19,9 +19,12 @@ use crate::context::{Context, Pixels};
 use crate::enums::*;
 use crate::error::FileError;
 use crate::glu;
-use image::{DynamicImage, ImageReader, RgbImage, RgbaImage};
+use image::{DynamicImage, ImageDecoder, ImageReader, RgbImage, RgbaImage};
 use std::borrow::Cow;
 use std::path::Path;
+
+/// What can be read.
+const READ: &str = "PNG, JPEG, BMP and TGA";
 
 /// A decoded image as `TexImage2D` takes it: rows from the bottom up, without padding.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,18 +37,31 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Reads a PNG or JPEG file; what it is is told by its content.
+    /// Reads a PNG, JPEG, BMP or TGA file; what it is is told by its content, and only of a TGA by its name. A photo is
+    /// turned as a viewer shows it (the orientation of its EXIF data).
     ///
     /// # Errors
-    /// A file that cannot be read, is no image, or needs more memory than the decoder allows.
+    /// A file that cannot be read, is no image of these kinds, or needs more memory than the decoder allows.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let failed = |what: &str, e: &dyn std::fmt::Display| FileError::new(path, format!("{what}: {e}"));
         let reader = ImageReader::open(path)
             .and_then(ImageReader::with_guessed_format)
             .map_err(|e| failed("cannot be read", &e))?;
-        let image = reader.decode().map_err(|e| failed("is not an image that can be decoded", &e))?;
-        Ok(Self::from_image(&image))
+        if let Some(format) = reader.format().filter(|format| !format.reading_enabled()) {
+            let name = format.extensions_str().first().unwrap_or(&"").to_uppercase();
+            return Err(FileError::new(path, format!("is a {name} image, which is not read; there is {READ}")));
+        }
+        let decoded = reader.into_decoder().and_then(|mut decoder| {
+            let orientation = decoder.orientation()?;
+            let mut image = DynamicImage::from_decoder(decoder)?;
+            image.apply_orientation(orientation);
+            Ok(image)
+        });
+        match decoded {
+            Ok(image) => Ok(Self::from_image(&image)),
+            Err(e) => Err(failed(&format!("is not an image that can be decoded ({READ})"), &e)),
+        }
     }
 
     /// The picture of a decoded image. Gray, gray with alpha, RGB and RGBA keep their components, 16 bits stay 16 bits
@@ -251,6 +267,70 @@ mod tests {
         std::fs::remove_file(&path).expect("removed");
         assert_eq!((picture.width(), picture.height(), picture.format()), (3, 2, GL_RGB));
         assert_eq!(picture.bytes()[9..12], [255, 0, 0]);
+    }
+
+    /// A file of this test with a content, as a picture.
+    fn opened(name: &str, content: &[u8]) -> Result<Picture, FileError> {
+        let path = std::env::temp_dir().join(format!("fixedgl-{}-{name}", std::process::id()));
+        std::fs::write(&path, content).expect("written");
+        let picture = Picture::open(&path);
+        std::fs::remove_file(&path).expect("removed");
+        picture
+    }
+
+    #[test]
+    fn a_photo_is_turned_as_its_exif_data_say() {
+        // EXIF 2.3, tag 0112: on which side of what is shown the first row and the first column of the file lie.
+        let sides = [
+            ("top", "left"),
+            ("top", "right"),
+            ("bottom", "right"),
+            ("bottom", "left"),
+            ("left", "top"),
+            ("right", "top"),
+            ("right", "bottom"),
+            ("left", "bottom"),
+        ];
+        // Quarters of 8 pixels, in gray: first row 0 and 80, second row 160 and 240.
+        let file = image::GrayImage::from_fn(16, 16, |x, y| image::Luma([(x / 8 * 80 + y / 8 * 160) as u8]));
+        let mut jpeg = Vec::new();
+        image::codecs::jpeg::JpegEncoder::new_with_quality(&mut jpeg, 100).encode_image(&file).expect("encoded");
+        for (i, (row, column)) in sides.into_iter().enumerate() {
+            let exif = [
+                &b"\xff\xe1\x00\x22Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"[..],
+                &[i as u8 + 1],
+                &[0; 6],
+            ];
+            let content = [&jpeg[..2], &exif.concat(), &jpeg[2..]].concat();
+            let picture = opened(&format!("{i}.jpg"), &content).expect("a photo");
+            // The quarter of the file that is shown at the left or right, at the top or bottom.
+            for (x, shown_x) in [(0, "left"), (15, "right")] {
+                for (y, shown_y) in [(15, "top"), (0, "bottom")] {
+                    let first_row = row == shown_x || row == shown_y;
+                    let first_column = column == shown_x || column == shown_y;
+                    let expected = u8::from(!first_column) * 80 + u8::from(!first_row) * 160;
+                    let shown = picture.bytes()[y * 16 + x];
+                    assert!(shown.abs_diff(expected) <= 2, "orientation {}: {shown} for {expected}", i + 1);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bmp_and_tga_files_are_read() {
+        // Two pixels: red on the left, (0, 10, 255) on the right. Both formats store blue, green, red.
+        let mut bmp = b"BM\x3e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x01\0\0\0\x01\0\x18\0".to_vec();
+        bmp.extend([0; 24]);
+        bmp.extend([0, 0, 255, 255, 10, 0, 0, 0]);
+        let mut tga = vec![0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 24, 0];
+        tga.extend([0, 0, 255, 255, 10, 0]);
+        for (name, content) in [("two.bmp", bmp), ("two.tga", tga)] {
+            let picture = opened(name, &content).expect(name);
+            assert_eq!((picture.width(), picture.height(), picture.format()), (2, 1, GL_RGB), "{name}");
+            assert_eq!(picture.bytes(), [255, 0, 0, 0, 10, 255], "{name}");
+        }
+        let gif = opened("x.gif", b"GIF89a\x01\0\x01\0\0\0\0;").expect_err("an error");
+        assert_eq!(gif.message, "is a GIF image, which is not read; there is PNG, JPEG, BMP and TGA");
     }
 
     #[test]

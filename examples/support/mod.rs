@@ -24,20 +24,32 @@ pub fn run_in(mut context: Context, draw: impl FnOnce()) -> Context {
     drawn
 }
 
+/// What the command line asks for. `--help` prints the usage and ends the program with 0; arguments that are wrong end it
+/// with 2, as is the custom, so that 1 means that the program itself failed.
+pub fn arguments<T>(usage: &str, parse: impl FnOnce(&mut dyn Iterator<Item = String>) -> Result<T, String>) -> T {
+    if std::env::args().skip(1).any(|argument| argument == "--help" || argument == "-h") {
+        print!("{usage}");
+        std::process::exit(0);
+    }
+    parse(&mut std::env::args().skip(1)).unwrap_or_else(|message| {
+        eprint!("{message}\n{usage}");
+        std::process::exit(2);
+    })
+}
+
 /// Runs a port as a program: draws, checks for GL errors, saves `NAME.png` where the command line says (`-o FILE`) or in
 /// `out/`, and prints where that is.
 pub fn main(name: &str, [width, height]: [u32; 2], draw: impl FnOnce()) {
-    let mut path = PathBuf::from("out").join(format!("{name}.png"));
-    let mut arguments = std::env::args().skip(1);
-    while let Some(argument) = arguments.next() {
-        match (argument.as_str(), arguments.next()) {
-            ("-o", Some(file)) => path = PathBuf::from(file),
-            _ => {
-                eprintln!("usage: {name} [-o FILE.png]");
-                std::process::exit(2);
-            }
-        }
-    }
+    let usage = format!("usage: {name} [-o FILE.png]\n\nDraws its picture into FILE.png (out/{name}.png).\n");
+    let path = arguments(&usage, |arguments| match (arguments.next().as_deref(), arguments.next()) {
+        (None, _) => Ok(PathBuf::from("out").join(format!("{name}.png"))),
+        (Some("-o"), Some(file)) => match arguments.next() {
+            None => Ok(PathBuf::from(file)),
+            Some(more) => Err(format!("{more} is not known")),
+        },
+        (Some("-o"), None) => Err("-o needs a file".into()),
+        (Some(other), _) => Err(format!("{other} is not an option")),
+    });
     let mut context = run_in(Context::new(width, height), draw);
     if let Err(error) = context.check() {
         fail(&error);

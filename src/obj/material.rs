@@ -2,8 +2,7 @@
 
 use crate::context::Context;
 use crate::enums::*;
-use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A material. What the file does not say has GL's initial value.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,13 +12,15 @@ pub struct Material {
     pub name: String,
     /// `Ka`, with the opacity.
     pub ambient: [f32; 4],
-    /// `Kd`, with the opacity.
+    /// `Kd`, with the opacity (`d`, or 1 - `Tr`). Below 1 it means blending, which is the program's to switch on.
     pub diffuse: [f32; 4],
     /// `Ks`, with the opacity.
     pub specular: [f32; 4],
+    /// `Ke`, with the opacity.
+    pub emission: [f32; 4],
     /// `Ns`, limited to GL's 128.
     pub shininess: f32,
-    /// The file of `map_Kd`, relative to where the material's file is.
+    /// The file of `map_Kd`: where it was found, or else where it should be, relative to the material's file.
     pub texture: Option<PathBuf>,
 }
 
@@ -31,6 +32,7 @@ impl Default for Material {
             ambient: [0.2, 0.2, 0.2, 1.0],
             diffuse: [0.8, 0.8, 0.8, 1.0],
             specular: [0.0, 0.0, 0.0, 1.0],
+            emission: [0.0, 0.0, 0.0, 1.0],
             shininess: 0.0,
             texture: None,
         }
@@ -38,101 +40,36 @@ impl Default for Material {
 }
 
 impl Material {
-    pub(super) fn new(material: &tobj::Material, folder: &Path) -> Self {
-        let alpha = crate::num::clamp01(material.dissolve.unwrap_or(1.0));
+    /// The material that `tobj` has read from a checked file.
+    pub(super) fn new(name: String, read: &tobj::Material, texture: Option<PathBuf>) -> Self {
+        let alpha = crate::num::clamp01(read.dissolve.unwrap_or(1.0));
         let color = |color: Option<[f32; 3]>, initial: f32| {
             let [r, g, b] = color.unwrap_or([initial; 3]).map(crate::num::clamp01);
             [r, g, b, alpha]
         };
         Self {
-            name: material.name.clone(),
-            ambient: color(material.ambient, 0.2),
-            diffuse: color(material.diffuse, 0.8),
-            specular: color(material.specular, 0.0),
-            shininess: crate::num::clamp_f32(material.shininess.unwrap_or(0.0), 0.0, 128.0),
-            texture: material.diffuse_texture.as_deref().and_then(file_of_map).map(|file| folder.join(file)),
+            name,
+            ambient: color(read.ambient, 0.2),
+            diffuse: color(read.diffuse, 0.8),
+            specular: color(read.specular, 0.0),
+            emission: color(read.emissive, 0.0),
+            shininess: crate::num::clamp_f32(read.shininess.unwrap_or(0.0), 0.0, 128.0),
+            texture,
         }
     }
 
-    /// Sets the material of both faces: ambient, diffuse and specular colour, shininess.
+    /// Sets the material of both faces: ambient, diffuse, specular and emitted colour, shininess.
     #[track_caller]
     pub fn apply(&self, cx: &mut Context) {
         cx.materialfv(GL_FRONT_AND_BACK, GL_AMBIENT, &self.ambient);
         cx.materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, &self.diffuse);
         cx.materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, &self.specular);
+        cx.materialfv(GL_FRONT_AND_BACK, GL_EMISSION, &self.emission);
         cx.materialf(GL_FRONT_AND_BACK, GL_SHININESS, self.shininess);
     }
-}
 
-/// The file name of a texture statement: what follows the options. A backslash separates folders, as it does where such
-/// files are written.
-pub(super) fn file_of_map(statement: &str) -> Option<PathBuf> {
-    let mut rest = statement.trim();
-    while let Some(option) = rest.strip_prefix('-') {
-        let (name, after) = word(option);
-        rest = after;
-        match name {
-            // Up to three numbers.
-            "o" | "s" | "t" => {
-                for _ in 0..3 {
-                    let (number, after) = word(rest);
-                    if number.parse::<f32>().is_err() {
-                        break;
-                    }
-                    rest = after;
-                }
-            }
-            "mm" => rest = word(word(rest).1).1,
-            _ => rest = word(rest).1,
-        }
+    /// Whether a highlight has no edge: any specular colour with `Ns` 0, which lights all of a lit surface alike.
+    pub(super) fn shines_everywhere(&self) -> bool {
+        self.shininess == 0.0 && self.specular[..3].iter().any(|&c| c > 0.1)
     }
-    (!rest.is_empty()).then(|| PathBuf::from(rest.replace('\\', "/")))
-}
-
-/// The first word and what follows it.
-fn word(text: &str) -> (&str, &str) {
-    let text = text.trim_start();
-    text.split_once(char::is_whitespace).map_or((text, ""), |(word, rest)| (word, rest.trim_start()))
-}
-
-/// What the material files of a model hold.
-#[derive(Default)]
-pub(super) struct Library {
-    /// Where the file of each material is.
-    pub homes: HashMap<String, PathBuf>,
-    /// Files that could not be read.
-    pub notes: Vec<String>,
-}
-
-impl Library {
-    /// Reads what a `mtllib` line names: one file with blanks in its name, or several files.
-    pub fn load(&mut self, folder: &Path, names: &Path) -> tobj::MTLLoadResult {
-        let line = names.to_string_lossy().replace('\\', "/");
-        let whole = folder.join(&line);
-        let files = if whole.is_file() { vec![line.as_str()] } else { line.split_whitespace().collect() };
-        let mut all: tobj::MTLLoadResult = Ok(Default::default());
-        for file in files {
-            let path = folder.join(file);
-            match (read(&path), &mut all) {
-                (Ok(materials), Ok((list, places))) => {
-                    for material in materials {
-                        let home = path.parent().unwrap_or(folder).to_path_buf();
-                        self.homes.insert(material.name.clone(), home);
-                        places.insert(material.name.clone(), list.len());
-                        list.push(material);
-                    }
-                }
-                (Err(why), _) => self.notes.push(format!("{}: {why}; its materials are left out", path.display())),
-                _ => {}
-            }
-        }
-        all
-    }
-}
-
-/// Reads a material file.
-fn read(path: &Path) -> Result<Vec<tobj::Material>, String> {
-    let bytes = std::fs::read(path).map_err(|e| format!("cannot be read: {e}"))?;
-    let text = String::from_utf8_lossy(&bytes);
-    tobj::load_mtl_buf(&mut text.as_bytes()).map(|(materials, _)| materials).map_err(|e| e.to_string())
 }

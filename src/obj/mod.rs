@@ -1,8 +1,8 @@
 //! OBJ files (cargo feature `tobj`): a model as arrays ready for `glDrawElements`.
 //!
-//! Reading has three steps. `text` checks the file line by line and completes it (so that an error can say in which
-//! line it is), `tobj` makes triangles and joins equal corners, `normals` computes what normals are missing. The result
-//! is one set of vertex arrays with a list of indices for each run of faces of one material.
+//! Reading has three steps. `text` checks the file line by line and brings it into a plain form (what cannot be read is
+//! noted with its line), `tobj` reads that and joins equal corners, `normals` computes what normals are missing. The
+//! result is one set of vertex arrays with a list of indices for each run of faces of one material.
 //!
 //! ```no_run
 //! # fn main() -> Result<(), fixedgl::FileError> {
@@ -17,8 +17,13 @@
 //! # }
 //! ```
 
+mod faces;
+mod files;
 mod material;
+mod mtl;
 mod normals;
+mod notes;
+mod source;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -28,7 +33,6 @@ pub use material::Material;
 use crate::context::Context;
 use crate::enums::*;
 use crate::error::FileError;
-use std::cell::RefCell;
 use std::path::Path;
 
 /// A model: vertex arrays, groups of triangles, materials.
@@ -43,11 +47,20 @@ pub struct Obj {
     pub tex_coords: Vec<[f32; 2]>,
     /// Whether any vertex got its texture coordinates from the file.
     pub has_tex_coords: bool,
+    /// A colour for each vertex; white where the file has none.
+    pub colors: Vec<[f32; 3]>,
+    /// Whether any vertex got its colour from the file.
+    pub has_colors: bool,
+    /// What was subtracted from the file's positions, to be given to `glTranslated` where the model has to stand in its
+    /// place. It is (0, 0, 0) unless the model is so far from the origin (over 16 times its size, as with surveyors'
+    /// coordinates) that f32 would not keep its shape.
+    pub offset: [f64; 3],
     /// The triangles, in the order of the file.
     pub groups: Vec<Group>,
     /// The materials that groups refer to.
     pub materials: Vec<Material>,
-    /// What was not as it should be but did not stop the reading: a material file that is missing, faces left out.
+    /// What was not as it should be but did not stop the reading: a material file that is missing, faces left out. A note
+    /// names the first line of its kind and how many there are.
     pub notes: Vec<String>,
 }
 
@@ -55,7 +68,7 @@ pub struct Obj {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Group {
-    /// The name of the first object or group of the file that is in it.
+    /// The name of the first object or group of the file that is in it (its first 128 bytes); empty if there is none.
     pub name: String,
     /// Which of the materials it has.
     pub material: Option<usize>,
@@ -67,7 +80,7 @@ impl Obj {
     /// Reads an OBJ file and the material files that it names.
     ///
     /// # Errors
-    /// A file that cannot be read, or that is no OBJ file; the message names the line.
+    /// A file that cannot be read, that is no OBJ file, or of which no face can be read; the message names the line.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let bytes = std::fs::read(path).map_err(|e| FileError::new(path, format!("cannot be read: {e}")))?;
@@ -80,35 +93,47 @@ impl Obj {
     /// # Errors
     /// What is wrong with it, in words.
     pub fn parse(content: &[u8], folder: &Path) -> Result<Self, String> {
-        let checked = text::check(&String::from_utf8_lossy(content))?;
-        let mut obj = Obj { has_tex_coords: checked.has_tex_coords, notes: checked.notes, ..Obj::default() };
+        if let Some((_, what)) = OTHER_FILES.iter().find(|(start, _)| content.starts_with(start)) {
+            return Err(format!("is not an OBJ file, but {what}"));
+        }
+        let mut notes = notes::Notes::default();
+        let parsed = text::Parsed::new(&source::decode(content), &mut notes);
+        if !parsed.is_obj {
+            let empty = content.iter().all(u8::is_ascii_whitespace);
+            return Err(if empty { "is empty" } else { "is not an OBJ file: no line of it is one" }.into());
+        }
+        let mut library = mtl::Library::default();
+        for names in &parsed.libraries {
+            library.load(folder, names);
+        }
+        let checked = parsed.plain(&mut notes, |name| library.find(name));
         let options =
             tobj::LoadOptions { triangulate: true, single_index: true, ignore_points: true, ignore_lines: true };
-        let library = RefCell::new(material::Library::default());
-        let (models, materials) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |names| {
-            library.borrow_mut().load(folder, names)
-        })
-        .map_err(|e| format!("is not a model that can be read: {e}"))?;
-        let library = library.into_inner();
-        obj.notes.extend(library.notes);
-        for material in materials.unwrap_or_default() {
-            let home = library.homes.get(&material.name).map_or(folder, |home| home.as_path());
-            obj.materials.push(Material::new(&material, home));
-        }
+        let mut numbers = String::from("mtllib numbers\n");
+        numbers.push_str(&checked.text);
+        let count = library.materials.len();
+        let (models, _) = tobj::load_obj_buf(&mut numbers.as_bytes(), &options, |_| Ok(numbered(count)))
+            .map_err(|e| format!("is not a model that can be read: {e}"))?;
+        let mut obj = Obj {
+            has_tex_coords: checked.has_tex_coords,
+            has_colors: checked.has_colors,
+            offset: checked.offset,
+            materials: library.materials,
+            notes: notes.sentences(None).chain(library.notes).collect(),
+            ..Obj::default()
+        };
         for model in &models {
-            obj.append(model)?;
+            obj.append(model, &checked.names)?;
         }
         if obj.groups.is_empty() {
-            return Err("has no faces".into());
+            return Err(notes.first().unwrap_or("has no faces").to_owned());
         }
-        if !checked.has_normals {
-            normals::compute(&mut obj);
-        }
+        normals::complete(&mut obj, &checked.smoothing);
         Ok(obj)
     }
 
     /// Appends the arrays of a part of the file.
-    fn append(&mut self, model: &tobj::Model) -> Result<(), String> {
+    fn append(&mut self, model: &tobj::Model, names: &[String]) -> Result<(), String> {
         let mesh = &model.mesh;
         if mesh.indices.is_empty() {
             return Ok(());
@@ -122,10 +147,13 @@ impl Obj {
         self.tex_coords.extend_from_slice(mesh.texcoords.as_chunks::<2>().0);
         self.tex_coords.resize(self.positions.len(), [0.0; 2]);
         self.normals.extend_from_slice(mesh.normals.as_chunks::<3>().0);
-        self.normals.resize(self.positions.len(), [0.0, 0.0, 1.0]);
+        self.normals.resize(self.positions.len(), [0.0; 3]);
+        self.colors.extend_from_slice(mesh.vertex_color.as_chunks::<3>().0);
+        self.colors.resize(self.positions.len(), [1.0; 3]);
         let material = mesh.material_id.filter(|&m| m < self.materials.len());
         if self.groups.last().is_none_or(|last| last.material != material) {
-            self.groups.push(Group { name: model.name.clone(), material, indices: Vec::new() });
+            let name = model.name.parse().ok().and_then(|number: usize| names.get(number)).cloned().unwrap_or_default();
+            self.groups.push(Group { name, material, indices: Vec::new() });
         }
         if let Some(group) = self.groups.last_mut() {
             let triangles = mesh.indices.as_chunks::<3>().0.iter().filter(|t| t.iter().all(|&i| (i as usize) < count));
@@ -165,7 +193,8 @@ impl Obj {
         (middle, self.positions.iter().map(square).fold(0.0f64, f64::max).sqrt() as f32)
     }
 
-    /// Draws all triangles with positions, normals and texture coordinates.
+    /// Draws all triangles with positions, normals and texture coordinates, and with colours if the file has some (they
+    /// count under lighting where `GL_COLOR_MATERIAL` is enabled).
     #[track_caller]
     pub fn draw(&self, cx: &mut Context) {
         self.draw_with(cx, |_, _| {});
@@ -175,6 +204,16 @@ impl Obj {
     /// Texture coordinates go to the texture unit that is active on the client side. The client state stays.
     #[track_caller]
     pub fn draw_with(&self, cx: &mut Context, mut before: impl FnMut(&mut Context, Option<&Material>)) {
+        self.draw_where(cx, |cx, material| {
+            before(cx, material);
+            true
+        });
+    }
+
+    /// Draws the groups for which `before` answers `true` after it has set what they need, as `draw_with` draws all: for
+    /// programs that draw what is opaque first and blend the rest over it.
+    #[track_caller]
+    pub fn draw_where(&self, cx: &mut Context, mut before: impl FnMut(&mut Context, Option<&Material>) -> bool) {
         cx.push_client_attrib(GL_CLIENT_VERTEX_ARRAY_BIT);
         cx.bind_buffer(GL_ARRAY_BUFFER, 0);
         cx.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, 0);
@@ -185,11 +224,17 @@ impl Obj {
         for array in [GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY] {
             cx.enable_client_state(array);
         }
+        if self.has_colors {
+            cx.enable_client_state(GL_COLOR_ARRAY);
+            cx.color_pointer(3, GL_FLOAT, 0, &self.colors);
+        }
         cx.vertex_pointer(3, GL_FLOAT, 0, &self.positions);
         cx.normal_pointer(GL_FLOAT, 0, &self.normals);
         cx.tex_coord_pointer(2, GL_FLOAT, 0, &self.tex_coords);
         for group in &self.groups {
-            before(cx, group.material.and_then(|m| self.materials.get(m)));
+            if !before(cx, group.material.and_then(|m| self.materials.get(m))) {
+                continue;
+            }
             // A count beyond GLsizei goes in pieces of whole triangles.
             for part in group.indices.chunks(3 << 28) {
                 cx.draw_elements(GL_TRIANGLES, part.len() as i32, GL_UNSIGNED_INT, part);
@@ -197,4 +242,23 @@ impl Obj {
         }
         cx.pop_client_attrib();
     }
+}
+
+/// What is given as a model most often but is none, by how it begins.
+const OTHER_FILES: [(&[u8], &str); 10] = [
+    (b"\x89PNG", "a PNG image"),
+    (b"\xff\xd8\xff", "a JPEG image"),
+    (b"GIF8", "a GIF image"),
+    (b"BM", "a BMP image"),
+    (b"glTF", "a glTF model; export it as OBJ"),
+    (b"ply\n", "a PLY model; export it as OBJ"),
+    (b"ply\r", "a PLY model; export it as OBJ"),
+    (b"solid ", "an STL model; export it as OBJ"),
+    (b"Kaydara FBX", "an FBX model; export it as OBJ"),
+    (b"PK\x03\x04", "a ZIP archive; unpack it first"),
+];
+
+/// Materials named by their numbers from 1 on, as the plain form has them.
+fn numbered(count: usize) -> (Vec<tobj::Material>, std::collections::HashMap<String, usize>) {
+    (vec![tobj::Material::default(); count], (0..count).map(|i| ((i + 1).to_string(), i)).collect())
 }

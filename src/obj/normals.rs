@@ -1,35 +1,50 @@
-//! Normals for a model that has none. The normal of a corner is the sum of the normals of the faces that meet at its
-//! position, weighted by their areas, as far as they lean less than 60 degrees from the corner's own face: curved
-//! surfaces become smooth, the edges of a box stay sharp. Positions meet when their coordinates are equal.
+//! Normals for corners that have none. The normal of a corner is the sum of the normals of the faces that meet at its
+//! position, weighted by their areas. Which of them count is said by the smoothing groups of the file; if it has none,
+//! those that lean less than 60 degrees from the corner's own face: curved surfaces become smooth, the edges of a box stay
+//! sharp. Positions meet when their coordinates are equal.
 
 use super::Obj;
-use std::collections::HashMap;
+use super::text::Smoothing;
+use std::collections::{BTreeMap, HashMap};
 
 /// The cosine of the angle from which on an edge is sharp.
 const SHARP: f64 = 0.5;
-/// Where more faces meet (the tip of a cone) all of them count: looking at every pair would take too long.
+/// Where more faces meet, those of about the same direction share one sum: looking at every pair would take too long.
 const MANY: usize = 256;
+/// How fine directions are told apart there, in parts of a unit vector's component: about ten degrees.
+const FINENESS: f64 = 6.0;
 
-/// Computes all normals anew; vertices on sharp edges are split.
-pub(super) fn compute(obj: &mut Obj) {
+/// Computes the normals that are (0, 0, 0); vertices on sharp edges are split. `smoothing` says from which triangle on
+/// which faces count.
+pub(super) fn complete(obj: &mut Obj, smoothing: &[(usize, Smoothing)]) {
+    if obj.normals.iter().all(|n| *n != [0.0; 3]) {
+        return;
+    }
     let points = points(&obj.positions);
-    let faces: Vec<[u32; 3]> = obj.groups.iter().flat_map(|g| g.indices.as_chunks::<3>().0).copied().collect();
-    let normals: Vec<[f64; 3]> = faces.iter().map(|f| area_normal(f.map(|i| position(obj, i)))).collect();
-    let units: Vec<[f64; 3]> = normals.iter().map(|&n| unit(n)).collect();
-    let meetings = Meetings::new(&points, &faces);
+    let triangles: Vec<[u32; 3]> = obj.groups.iter().flat_map(|g| g.indices.as_chunks::<3>().0).copied().collect();
+    let meetings = Meetings::new(&points, &triangles);
+    let faces = Faces::new(obj, &triangles, smoothing);
+    let mut crowds: HashMap<u32, BTreeMap<FaceKind, [f64; 3]>> = HashMap::new();
 
     let mut new = SplitVertices::default();
-    let mut indices = Vec::with_capacity(faces.len() * 3);
-    for (f, face) in faces.iter().enumerate() {
-        for &corner in face {
-            let around = meetings.at(points.get(corner as usize).copied().unwrap_or(0));
-            let mut sum = [0.0; 3];
-            for &g in around {
-                if around.len() > MANY || g == f as u32 || dot(units[f], units[g as usize]) > SHARP {
-                    sum = add(sum, normals[g as usize]);
-                }
+    let mut indices = Vec::with_capacity(triangles.len() * 3);
+    for (f, triangle) in triangles.iter().enumerate() {
+        for &corner in triangle {
+            let own = obj.normals.get(corner as usize).copied().unwrap_or_default();
+            if own != [0.0; 3] {
+                indices.push(new.index(obj, corner, own));
+                continue;
             }
-            let normal = [unit(sum), units[f]].into_iter().find(|n| *n != [0.0; 3]).unwrap_or([0.0, 0.0, 1.0]);
+            let point = points.get(corner as usize).copied().unwrap_or(0);
+            let around = meetings.at(point);
+            let sum = if around.len() > MANY {
+                let sums = crowds.entry(point).or_insert_with(|| faces.sums_by_kind(around));
+                sums.get(&faces.kind(f)).copied().unwrap_or_default()
+            } else {
+                faces.sum(around, faces.units[f], faces.smoothing[f])
+            };
+            let sum = if faces.smoothing[f] == Smoothing::Off { faces.normals[f] } else { sum };
+            let normal = [unit(sum), faces.units[f]].into_iter().find(|n| *n != [0.0; 3]).unwrap_or([0.0, 0.0, 1.0]);
             indices.push(new.index(obj, corner, normal.map(|c| c as f32)));
         }
     }
@@ -41,7 +56,75 @@ pub(super) fn compute(obj: &mut Obj) {
     }
     obj.positions = new.positions;
     obj.tex_coords = new.tex_coords;
+    obj.colors = new.colors;
     obj.normals = new.normals;
+}
+
+/// What is known of each triangle.
+struct Faces {
+    /// The normals, as long as twice the area.
+    normals: Vec<[f64; 3]>,
+    /// The normals, of length one.
+    units: Vec<[f64; 3]>,
+    smoothing: Vec<Smoothing>,
+}
+
+/// Triangles that share a sum where many meet.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct FaceKind {
+    smoothing: Smoothing,
+    /// The direction, in parts of 1 / `FINENESS`; of no account in smoothing groups.
+    direction: [i8; 3],
+}
+
+impl FaceKind {
+    /// Whether faces of another kind count for a corner of this kind.
+    fn takes(self, other: Self) -> bool {
+        let [a, b] = [self, other].map(|kind| unit(kind.direction.map(f64::from)));
+        self.smoothing == other.smoothing && (self.smoothing != Smoothing::ByAngle || dot(a, b) > SHARP)
+    }
+}
+
+impl Faces {
+    fn new(obj: &Obj, triangles: &[[u32; 3]], changes: &[(usize, Smoothing)]) -> Self {
+        let normals: Vec<_> = triangles.iter().map(|f| area_normal(f.map(|i| position(obj, i)))).collect();
+        let units = normals.iter().map(|&n| unit(n)).collect();
+        let mut smoothing = vec![Smoothing::default(); triangles.len()];
+        for (i, &(from, kind)) in changes.iter().enumerate() {
+            let to = changes.get(i + 1).map_or(triangles.len(), |next| next.0);
+            smoothing.get_mut(from..to).unwrap_or_default().fill(kind);
+        }
+        Self { normals, units, smoothing }
+    }
+
+    fn kind(&self, f: usize) -> FaceKind {
+        let smoothing = self.smoothing[f];
+        let by_angle = smoothing == Smoothing::ByAngle;
+        let direction = if by_angle { self.units[f].map(|c| (c * FINENESS).round() as i8) } else { [0; 3] };
+        FaceKind { smoothing, direction }
+    }
+
+    /// The sum for a corner whose own face has this direction and smoothing.
+    fn sum(&self, around: &[u32], direction: [f64; 3], smoothing: Smoothing) -> [f64; 3] {
+        let counts = |g: usize| {
+            self.smoothing[g] == smoothing && (smoothing != Smoothing::ByAngle || dot(direction, self.units[g]) > SHARP)
+        };
+        let around = around.iter().map(|&g| g as usize);
+        around.filter(|&g| counts(g)).fold([0.0; 3], |sum, g| add(sum, self.normals[g]))
+    }
+
+    /// The sum for each kind of face of a point where many meet.
+    fn sums_by_kind(&self, around: &[u32]) -> BTreeMap<FaceKind, [f64; 3]> {
+        let mut own: BTreeMap<FaceKind, [f64; 3]> = BTreeMap::new();
+        for g in around.iter().map(|&g| g as usize) {
+            let sum = own.entry(self.kind(g)).or_default();
+            *sum = add(*sum, self.normals[g]);
+        }
+        let total = |kind: FaceKind| {
+            own.iter().filter(|(other, _)| kind.takes(**other)).fold([0.0; 3], |sum, (_, normal)| add(sum, *normal))
+        };
+        own.keys().map(|&kind| (kind, total(kind))).collect()
+    }
 }
 
 /// The arrays that come out.
@@ -49,6 +132,7 @@ pub(super) fn compute(obj: &mut Obj) {
 struct SplitVertices {
     positions: Vec<[f32; 3]>,
     tex_coords: Vec<[f32; 2]>,
+    colors: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
     places: HashMap<(u32, [u32; 3]), u32>,
 }
@@ -59,6 +143,7 @@ impl SplitVertices {
         *self.places.entry((old, normal.map(f32::to_bits))).or_insert_with(|| {
             self.positions.push(position(obj, old));
             self.tex_coords.push(obj.tex_coords.get(old as usize).copied().unwrap_or_default());
+            self.colors.push(obj.colors.get(old as usize).copied().unwrap_or([1.0; 3]));
             self.normals.push(normal);
             (self.positions.len() - 1) as u32
         })

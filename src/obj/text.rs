@@ -1,183 +1,372 @@
-//! The check of an OBJ file before it is read. Each line that matters is looked at: numbers must be finite, indices must
-//! exist. What comes out is a plain form of the same model: absolute indices, two texture coordinates, corners that
-//! all have the same parts, no points, lines, curves or comments.
+//! The check of an OBJ file before `tobj` reads it. What can be read is read, and for the rest there is a note with the
+//! line: numbers must be finite, indices must exist. What comes out is a plain form of the same model: positions near the
+//! origin, triangles with absolute indices whose corners all have the same parts, materials named by numbers.
 
-use std::borrow::Cow;
+use super::faces::Cutter;
+use super::notes::Notes;
+use super::source::{self, Statement, number, numbers, short, words};
 use std::fmt::Write;
 
 /// A checked file.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Checked {
     /// The model in its plain form.
     pub text: String,
+    /// What was subtracted from the file's positions.
+    pub offset: [f64; 3],
     /// Whether the corners have texture coordinates; those without got (0, 0).
     pub has_tex_coords: bool,
-    /// Whether every corner of the file has a normal; if one has none, all are left out.
-    pub has_normals: bool,
-    /// What was left out.
-    pub notes: Vec<String>,
+    /// Whether the vertices have colours; those without got white.
+    pub has_colors: bool,
+    /// The names of objects and groups; the plain form has their numbers.
+    pub names: Vec<String>,
+    /// How the triangles are smoothed where they have no normals: from which triangle on.
+    pub smoothing: Vec<(usize, Smoothing)>,
 }
 
-/// How many positions, texture coordinates and normals there are.
-type ElementCounts = [usize; 3];
+/// Which faces share the normals that are computed where they meet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Smoothing {
+    /// The file does not say: those that lean less than a certain angle from each other.
+    #[default]
+    ByAngle,
+    /// `s off`: none.
+    Off,
+    /// `s n`: those of the same group, whatever the angle.
+    Group(u32),
+}
 
-/// A corner as the file has it: numbers that count from 1, or back from here; 0 for a part that is not there.
-type FaceCorner = [i64; 3];
+/// A corner as indices that count from 1; 0 for a part that is not there.
+type Corner = [u32; 3];
 
 const PARTS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
-/// Checks a file; the error says in which line it is and what to do.
-pub(super) fn check(source: &str) -> Result<Checked, String> {
-    let lines = logical_lines(source);
-    let mut total: ElementCounts = [0; 3];
-    let (mut any_tex_coord, mut all_tex_coords, mut all_normals) = (false, true, true);
-    for (number, line) in &lines {
-        let at = |message: String| format!("line {number}: {message}");
-        let (keyword, rest) = keyword(line);
-        match keyword {
-            "v" => numbers(rest, 3).map(|_| total[0] += 1).map_err(at)?,
-            "vt" => numbers(rest, 1).map(|_| total[1] += 1).map_err(at)?,
-            "vn" => numbers(rest, 3).map(|_| total[2] += 1).map_err(at)?,
-            "f" => {
-                for corner in corners(rest).map_err(at)? {
-                    any_tex_coord |= corner[1] != 0;
-                    all_tex_coords &= corner[1] != 0;
-                    all_normals &= corner[2] != 0;
+/// From how many times its own size a model is so far from the origin that f32 would take its shape.
+const FAR: f64 = 16.0;
+
+/// Colours of vertices lie between 0 and 1; a file with one beyond this has them between 0 and 255.
+const BRIGHTEST: f64 = 2.0;
+
+/// The longest name of a group that is kept. Each group has its own copy.
+const LONGEST_NAME: usize = 128;
+
+/// What is between two faces, by the number of the face before which it stands.
+enum Change {
+    Name(String),
+    Material(String),
+    Smoothing(Smoothing),
+}
+
+/// A file as it was read, line by line.
+#[derive(Default)]
+pub(super) struct Parsed {
+    /// A position that could not be read is none.
+    positions: Vec<Option<[f64; 3]>>,
+    /// Empty, or one for each position.
+    colors: Vec<[f64; 3]>,
+    tex_coords: Vec<[f64; 2]>,
+    /// (0, 0, 0) for one that has to be computed.
+    normals: Vec<[f64; 3]>,
+    corners: Vec<Corner>,
+    /// The line of each face, and where its corners end.
+    faces: Vec<(usize, usize)>,
+    changes: Vec<(usize, Change)>,
+    /// What `mtllib` statements name.
+    pub libraries: Vec<String>,
+    /// Whether any statement was one of an OBJ file.
+    pub is_obj: bool,
+}
+
+/// Statements of OBJ files that say nothing about what is drawn here.
+const WITHOUT_EFFECT: [&str; 22] = [
+    "vp",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "mg",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "maplib",
+    "usemap",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+];
+
+impl Parsed {
+    /// Reads the statements.
+    pub fn new(text: &str, notes: &mut Notes) -> Self {
+        let mut parsed = Self::default();
+        for statement in source::statements(text) {
+            parsed.statement(&statement, notes);
+        }
+        parsed
+    }
+
+    fn statement(&mut self, statement: &Statement<'_>, notes: &mut Notes) {
+        let (line, rest) = (statement.line, statement.rest.as_ref());
+        let keyword = statement.keyword.to_ascii_lowercase();
+        let change = |change| (self.faces.len(), change);
+        match keyword.as_str() {
+            "v" => self.position(line, rest, notes),
+            "vt" => {
+                let one = words(rest).nth(1).is_none();
+                let uv = if one { numbers(rest).map(|[u]| [u, 0.0]) } else { numbers(rest) };
+                let uv = uv.unwrap_or_else(|why| {
+                    notes.add(line, || why, "the texture coordinate is (0, 0)");
+                    [0.0; 2]
+                });
+                self.tex_coords.push(uv);
+            }
+            "vn" => self.normals.push(numbers(rest).unwrap_or_else(|why| {
+                notes.add(line, || why, "the normal is computed instead");
+                [0.0; 3]
+            })),
+            "f" | "fo" => self.face(line, rest, notes),
+            "o" | "g" => {
+                let end =
+                    rest.char_indices().map(|(i, c)| i + c.len_utf8()).take_while(|&end| end <= LONGEST_NAME).last();
+                self.changes.push(change(Change::Name(rest[..end.unwrap_or(0)].to_owned())));
+            }
+            "usemtl" => self.changes.push(change(Change::Material(rest.to_owned()))),
+            "s" => match words(rest).next() {
+                Some("off" | "0") => self.changes.push(change(Change::Smoothing(Smoothing::Off))),
+                word => match word.map(str::parse) {
+                    Some(Ok(group)) => self.changes.push(change(Change::Smoothing(Smoothing::Group(group)))),
+                    _ => notes.add(line, || format!("`s {}`", short(rest)), "a smoothing group is a number or `off`"),
+                },
+            },
+            "mtllib" => self.libraries.push(rest.to_owned()),
+            "p" | "l" => notes.add(line, || format!("`{keyword}`"), "points and lines are left out"),
+            "curv" | "curv2" | "surf" => notes.add(line, || format!("`{keyword}`"), "curves and surfaces are left out"),
+            other if WITHOUT_EFFECT.contains(&other) => {}
+            other => {
+                notes.add(
+                    line,
+                    || format!("`{}` is no statement of an OBJ file", short(other)),
+                    "the line is left out",
+                );
+                return;
+            }
+        }
+        self.is_obj = true;
+    }
+
+    /// `v x y z [w]` or `v x y z r g b`; a weight is of use for curves only.
+    fn position(&mut self, line: usize, rest: &str, notes: &mut Notes) {
+        let position = numbers::<3>(rest).map_err(|why| notes.add(line, || why, "faces with this vertex are left out"));
+        let mut colour = words(rest).skip(3);
+        let colour = [colour.next(), colour.next(), colour.next()];
+        if let [Some(r), Some(g), Some(b)] = colour {
+            self.colors.resize(self.positions.len(), [1.0; 3]);
+            let read = [r, g, b].map(number);
+            self.colors.push(match read {
+                [Ok(r), Ok(g), Ok(b)] => [r, g, b],
+                [r, g, b] => {
+                    let why = [r, g, b].into_iter().find_map(Result::err).unwrap_or_default();
+                    notes.add(line, || why, "the vertex is white");
+                    [1.0; 3]
+                }
+            });
+        } else if !self.colors.is_empty() {
+            self.colors.push([1.0; 3]);
+        }
+        self.positions.push(position.ok());
+    }
+
+    fn face(&mut self, line: usize, rest: &str, notes: &mut Notes) {
+        let start = self.corners.len();
+        let there = [self.positions.len(), self.tex_coords.len(), self.normals.len()];
+        for word in words(rest) {
+            match corner(word, there) {
+                Ok(corner) => self.corners.push(corner),
+                Err(why) => {
+                    self.corners.truncate(start);
+                    return notes.add(line, || why, LEFT_OUT);
                 }
             }
-            _ => {}
+        }
+        if self.corners.len() - start < 3 {
+            let count = self.corners.len() - start;
+            self.corners.truncate(start);
+            return notes.add(
+                line,
+                || format!("a face of {count} corners"),
+                "faces of less than three corners are left out",
+            );
+        }
+        self.faces.push((line, self.corners.len()));
+    }
+
+    /// Leaves out the faces whose corners do not exist.
+    fn drop_bad_faces(&mut self, notes: &mut Notes) {
+        let there = [self.positions.len(), self.tex_coords.len(), self.normals.len()];
+        let mut start = 0;
+        for (line, end) in &mut self.faces {
+            let corners = &self.corners[start..*end];
+            start = *end;
+            let missing = corners.iter().flat_map(|corner| (0..3).map(|i| (i, corner[i] as usize)));
+            let missing = missing.into_iter().find(|&(i, index)| index > there[i]);
+            if let Some((i, index)) = missing {
+                notes.add(*line, || beyond(i, index as i64, there[i]), LEFT_OUT);
+                *line = 0;
+            } else if corners.iter().any(|c| self.positions[c[0] as usize - 1].is_none()) {
+                *line = 0;
+            }
         }
     }
-    let default_tex_coord = any_tex_coord && !all_tex_coords;
-    let has_normals = all_normals && total[2] > 0;
-    let mut out = String::with_capacity(source.len());
-    if default_tex_coord {
-        out.push_str("vt 0 0\n");
+
+    /// The faces that are kept, with their numbers.
+    fn kept(&self) -> impl Iterator<Item = (usize, &[Corner])> {
+        let starts = std::iter::once(0).chain(self.faces.iter().map(|&(_, end)| end));
+        let faces = self.faces.iter().zip(starts).enumerate();
+        faces.filter(|(_, ((line, _), _))| *line != 0).map(|(f, (&(_, end), start))| (f, &self.corners[start..end]))
     }
-    let (mut seen, mut small): (ElementCounts, usize) = ([0; 3], 0);
-    for (number, line) in &lines {
-        let at = |message: String| format!("line {number}: {message}");
-        let (keyword, rest) = keyword(line);
-        match keyword {
-            "v" | "vn" => {
-                seen[if keyword == "v" { 0 } else { 2 }] += 1;
-                let _ = writeln!(out, "{keyword} {}", first_words(rest, 3));
+
+    fn at(&self, corner: Corner) -> [f64; 3] {
+        self.positions[corner[0] as usize - 1].unwrap_or_default()
+    }
+
+    /// The middle of what is drawn if f32 would not keep the shape there, else (0, 0, 0).
+    fn offset(&self) -> [f64; 3] {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for &corner in self.kept().flat_map(|(_, corners)| corners) {
+            for (i, c) in self.at(corner).into_iter().enumerate() {
+                (low[i], high[i]) = (low[i].min(c), high[i].max(c));
             }
-            "vt" => {
-                seen[1] += 1;
-                let v = if rest.split_whitespace().count() < 2 { " 0" } else { "" };
-                let _ = writeln!(out, "vt {}{v}", first_words(rest, 2));
-            }
-            "f" => {
-                let corners = corners(rest).map_err(at)?;
-                if corners.len() < 3 {
-                    small += 1;
-                    continue;
+        }
+        let middle: [f64; 3] = std::array::from_fn(|i| (low[i] + high[i]) / 2.0);
+        let size = (0..3).map(|i| (high[i] - low[i]) / 2.0).fold(0.0, f64::max);
+        if middle.iter().any(|c| c.abs() > FAR * size) { middle } else { [0.0; 3] }
+    }
+
+    /// The plain form. `material` finds materials by their names.
+    pub fn plain(mut self, notes: &mut Notes, material: impl Fn(&str) -> Option<usize>) -> Checked {
+        self.drop_bad_faces(notes);
+        let mut out = Checked { offset: self.offset(), has_colors: !self.colors.is_empty(), ..Checked::default() };
+        let used = |part: usize| self.kept().flat_map(|(_, corners)| corners).map(move |corner| corner[part]);
+        out.has_tex_coords = used(1).any(|index| index != 0);
+        let has_normals = used(2).any(|index| index != 0);
+        out.text = String::with_capacity(self.positions.len() * 40 + self.corners.len() * 24);
+        self.write_vertices(&mut out, notes);
+
+        let mut changes = self.changes.iter().peekable();
+        let mut cutter = Cutter::default();
+        let mut polygon = Vec::new();
+        let (mut written, mut name, mut drawn, mut asked) = (0, 0, usize::MAX, None);
+        out.names.push(String::new());
+        for (f, corners) in self.kept() {
+            while let Some((_, change)) = changes.next_if(|(at, _)| *at <= f) {
+                match change {
+                    Change::Name(new) => {
+                        name = out.names.len();
+                        out.names.push(new.clone());
+                    }
+                    Change::Material(new) => {
+                        asked = material(new);
+                        if asked.is_none() && !new.is_empty() {
+                            let what = || format!("the material `{}` is not in any file", short(new));
+                            notes.add(self.faces[f].0, what, "the faces from here on have none");
+                        }
+                    }
+                    Change::Smoothing(smoothing) => out.smoothing.push((written, *smoothing)),
                 }
-                out.push('f');
-                for corner in corners {
-                    let [v, vt, vn] = absolute(corner, seen, total).map_err(at)?;
-                    let _ = write!(out, " {v}");
-                    if any_tex_coord {
-                        let _ = write!(out, "/{}", vt + usize::from(default_tex_coord));
+            }
+            let number = asked.map_or(0, |m| m + 1);
+            if number != drawn {
+                drawn = number;
+                let _ = writeln!(out.text, "g {name}\nusemtl {number}");
+            }
+            polygon.clear();
+            polygon.extend(corners.iter().map(|&corner| self.at(corner)));
+            if !cutter.cut(&polygon) {
+                let what = || format!("a face of {} corners with notches", corners.len());
+                notes.add(self.faces[f].0, what, "so large a face is drawn without them");
+            }
+            for triangle in &cutter.triangles {
+                out.text.push('f');
+                for &i in triangle {
+                    let [v, vt, vn] = corners[i as usize];
+                    let or_default = |index: u32, count: usize| if index == 0 { count + 1 } else { index as usize };
+                    let _ = write!(out.text, " {v}");
+                    if out.has_tex_coords {
+                        let _ = write!(out.text, "/{}", or_default(vt, self.tex_coords.len()));
                     }
                     if has_normals {
-                        let _ = write!(out, "{}{vn}", if any_tex_coord { "/" } else { "//" });
+                        let slashes = if out.has_tex_coords { "/" } else { "//" };
+                        let _ = write!(out.text, "{slashes}{}", or_default(vn, self.normals.len()));
                     }
                 }
-                out.push('\n');
+                out.text.push('\n');
+                written += 1;
             }
-            "o" | "g" | "usemtl" | "mtllib" if !rest.is_empty() => {
-                let _ = writeln!(out, "{keyword} {rest}");
+        }
+        out
+    }
+
+    /// Writes positions with their colours, texture coordinates and normals, and after those of the file one for the
+    /// corners that have none.
+    fn write_vertices(&self, out: &mut Checked, notes: &mut Notes) {
+        let most = self.colors.as_flattened().iter().copied().fold(0.0, f64::max);
+        let scale = if most > BRIGHTEST { 1.0 / 255.0 } else { 1.0 };
+        if most > BRIGHTEST {
+            notes.add(0, || format!("colours of vertices go up to {most}"), "they are taken as 0 to 255");
+        }
+        for (i, position) in self.positions.iter().enumerate() {
+            let position = position.unwrap_or(out.offset);
+            let [x, y, z]: [f32; 3] = std::array::from_fn(|i| (position[i] - out.offset[i]) as f32);
+            let _ = write!(out.text, "v {x} {y} {z}");
+            if let Some(color) = self.colors.get(i) {
+                let [r, g, b] = color.map(|c| crate::num::clamp01((c * scale) as f32));
+                let _ = write!(out.text, " {r} {g} {b}");
             }
-            _ => {}
+            out.text.push('\n');
+        }
+        for [u, v] in self.tex_coords.iter().chain([&[0.0; 2]]) {
+            let _ = writeln!(out.text, "vt {} {}", *u as f32, *v as f32);
+        }
+        for [x, y, z] in self.normals.iter().chain([&[0.0; 3]]) {
+            let _ = writeln!(out.text, "vn {} {} {}", *x as f32, *y as f32, *z as f32);
         }
     }
-    let mut notes = Vec::new();
-    if small > 0 {
-        notes.push(format!("{small} faces of less than three corners were left out"));
-    }
-    Ok(Checked { text: out, has_tex_coords: any_tex_coord, has_normals, notes })
 }
 
-/// The lines with their numbers, without comments, and with those that end in a backslash joined to the next.
-fn logical_lines(source: &str) -> Vec<(usize, Cow<'_, str>)> {
-    let mut lines: Vec<(usize, Cow<'_, str>)> = Vec::new();
-    let mut open = false;
-    for (i, line) in source.lines().enumerate() {
-        let line = line.split_once('#').map_or(line, |(before, _)| before).trim();
-        let (text, continues) = line.strip_suffix('\\').map_or((line, false), |text| (text, true));
-        match lines.last_mut() {
-            Some((_, last)) if open => {
-                let joined = last.to_mut();
-                joined.push(' ');
-                joined.push_str(text);
-            }
-            _ => lines.push((i + 1, Cow::Borrowed(text))),
+const LEFT_OUT: &str = "the face is left out";
+
+/// A corner of a face: `v`, `v/vt`, `v//vn` or `v/vt/vn`; negative indices count back from what is there.
+fn corner(word: &str, there: [usize; 3]) -> Result<Corner, String> {
+    let wrong = || format!("`{}` is not a corner of a face", short(word));
+    let mut corner = [0; 3];
+    let mut parts = word.split('/');
+    for (i, part) in parts.by_ref().take(3).enumerate() {
+        if part.is_empty() {
+            continue;
         }
-        open = continues;
-    }
-    lines
-}
-
-fn keyword(line: &str) -> (&str, &str) {
-    line.split_once(char::is_whitespace).map_or((line, ""), |(k, rest)| (k, rest.trim()))
-}
-
-fn first_words(rest: &str, n: usize) -> String {
-    rest.split_whitespace().take(n).collect::<Vec<_>>().join(" ")
-}
-
-/// Checks that there are at least `least` numbers and that they are finite.
-fn numbers(rest: &str, least: usize) -> Result<(), String> {
-    let mut count = 0;
-    for word in rest.split_whitespace() {
-        match word.parse::<f32>() {
-            Ok(v) if v.is_finite() => count += 1,
-            Ok(_) => return Err(format!("`{word}` is not a finite number")),
-            Err(_) => return Err(format!("`{word}` is not a number")),
+        let index: i64 = part.parse().map_err(|_| wrong())?;
+        if index == 0 {
+            return Err(format!("`{}` has the index 0; OBJ counts from 1", short(word)));
         }
-    }
-    if count < least { Err(format!("{least} numbers are needed, there are {count}")) } else { Ok(()) }
-}
-
-/// The corners of a face.
-fn corners(rest: &str) -> Result<Vec<FaceCorner>, String> {
-    rest.split_whitespace()
-        .map(|word| {
-            let mut corner = [0; 3];
-            let mut parts = word.split('/');
-            for (place, part) in corner.iter_mut().zip(parts.by_ref()) {
-                if !part.is_empty() {
-                    *place = part.parse().map_err(|_| format!("`{word}` is not a corner of a face"))?;
-                    if *place == 0 {
-                        return Err(format!("`{word}` has the index 0; OBJ counts from 1"));
-                    }
-                }
-            }
-            if corner[0] == 0 || parts.next().is_some() {
-                return Err(format!("`{word}` is not a corner of a face"));
-            }
-            Ok(corner)
-        })
-        .collect()
-}
-
-/// A corner with absolute indices, after a look whether they exist.
-fn absolute(corner: FaceCorner, seen: ElementCounts, total: ElementCounts) -> Result<[usize; 3], String> {
-    let mut out = [0; 3];
-    for (i, index) in corner.into_iter().enumerate() {
-        let there = if index < 0 { seen[i] } else { total[i] };
-        out[i] = if index < 0 {
-            // Relative: -1 is the last one before this line.
-            usize::try_from(index.unsigned_abs()).ok().and_then(|back| (there + 1).checked_sub(back)).unwrap_or(0)
-        } else {
-            usize::try_from(index).unwrap_or(usize::MAX)
+        let absolute =
+            if index > 0 { Some(index) } else { (there[i] as i64 + 1).checked_add(index).filter(|i| *i > 0) };
+        corner[i] = match absolute.map(u32::try_from) {
+            Some(Ok(absolute)) => absolute,
+            _ => return Err(beyond(i, index, there[i])),
         };
-        if index != 0 && (out[i] == 0 || out[i] > there) {
-            let before = if index < 0 { " before it" } else { "" };
-            return Err(format!("a face refers to {} {index}, but there are {there}{before}", PARTS[i]));
-        }
     }
-    Ok(out)
+    if corner[0] == 0 || parts.next().is_some() { Err(wrong()) } else { Ok(corner) }
+}
+
+fn beyond(part: usize, index: i64, there: usize) -> String {
+    let before = if index < 0 { " before it" } else { "" };
+    format!("a face refers to {} {index}, but there are {there}{before}", PARTS[part])
 }
