@@ -80,6 +80,8 @@ pub(crate) struct Arrays {
     pub(super) locked: Option<[i32; 2]>,
     pub(crate) array_buffer: u32,
     pub(crate) element_buffer: u32,
+    /// The vertex array object that is bound.
+    pub(crate) object: u32,
 }
 
 impl Default for Arrays {
@@ -96,6 +98,7 @@ impl Default for Arrays {
             locked: None,
             array_buffer: 0,
             element_buffer: 0,
+            object: 0,
         }
     }
 }

@@ -80,6 +80,15 @@ impl Engine {
                 "buffer object {buffer} is bound to GL_ARRAY_BUFFER, so that an array is an offset into it; give a \
                  number, or bind buffer 0 first"
             ))),
+            ArrayData::Values(_) | ArrayData::Client(_)
+                if self.client.arrays.object != 0 && buffer == 0 && data.address() != 0 =>
+            {
+                Err(invalid_operation(format!(
+                    "vertex array object {} is bound, whose arrays lie in buffer objects; bind a buffer object, or vertex \
+                 array object 0 first",
+                    self.client.arrays.object
+                )))
+            }
             _ => Ok((data, buffer)),
         }
     }
@@ -220,6 +229,7 @@ impl Engine {
         match pname {
             GL_CLIENT_ACTIVE_TEXTURE => return Some(Values::enumerant(GL_TEXTURE0 + arrays.active as u32)),
             GL_ARRAY_BUFFER_BINDING => return Some(Values::uint(arrays.array_buffer)),
+            GL_VERTEX_ARRAY_BINDING => return Some(Values::uint(arrays.object)),
             GL_ELEMENT_ARRAY_BUFFER_BINDING => return Some(Values::uint(arrays.element_buffer)),
             GL_ARRAY_ELEMENT_LOCK_FIRST_EXT => return Some(Values::int(first)),
             GL_ARRAY_ELEMENT_LOCK_COUNT_EXT => return Some(Values::int(count)),

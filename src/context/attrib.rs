@@ -120,6 +120,8 @@ impl Engine {
             self.client.pixel_store = saved.pixel_store;
         }
         if mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0 {
+            // The object that was bound is bound again, unless it has been deleted.
+            self.bind_vertex_array(saved.arrays.object)?;
             self.client.arrays = saved.arrays;
         }
         Ok(())

@@ -11,6 +11,7 @@ use super::query_objects::Queries;
 use super::raster_position::RasterPosProcessor;
 use super::render_modes::RenderModes;
 use super::texture_objects::Textures;
+use super::vertex_array_objects::VertexArrays;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::limits::MAX_TEXTURE_LEVELS;
@@ -63,6 +64,8 @@ pub(crate) struct Engine {
     pub(crate) proxies: Box<Proxies>,
     /// Buffer objects.
     pub(crate) buffers: Buffers,
+    /// Vertex array objects.
+    pub(crate) vertex_arrays: VertexArrays,
     /// Whether a Begin has no End yet.
     pub(crate) primitive: Primitive,
     /// Full batches since the last Begin.
@@ -121,6 +124,7 @@ impl Engine {
             textures: Textures::default(),
             proxies: Box::new([[Proxy::default(); MAX_TEXTURE_LEVELS]; 5]),
             buffers: Buffers::default(),
+            vertex_arrays: VertexArrays::default(),
             primitive: Primitive::default(),
             batches: 0,
             raster_pos: None,

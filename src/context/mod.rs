@@ -59,6 +59,7 @@ pub(crate) mod textures;
 pub(crate) mod trace;
 pub(crate) mod validate;
 pub(crate) mod values;
+pub(crate) mod vertex_array_objects;
 
 pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, IntoSize, OutSlice};
 pub use config::Config;

@@ -451,6 +451,8 @@ super::enumerants::enumerants! {
     GL_INDEX_ARRAY_POINTER_EXT = 0x8091;
     GL_TEXTURE_COORD_ARRAY_POINTER_EXT = 0x8092;
     GL_EDGE_FLAG_ARRAY_POINTER_EXT = 0x8093;
+    // GL_ARB_vertex_array_object
+    GL_VERTEX_ARRAY_BINDING = 0x85B5;
     // GL_IBM_rasterpos_clip
     GL_RASTER_POSITION_UNCLIPPED_IBM = 0x19262;
     // GL_KHR_debug, for debug callbacks

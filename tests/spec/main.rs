@@ -44,6 +44,7 @@ mod texgen;
 mod texture_images;
 mod texture_objects;
 mod transform;
+mod vertex_array_objects;
 mod vertex_arrays;
 mod vertices;
 mod wrap;

@@ -77,6 +77,14 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         /// Reads a part of a buffer object (section 6.1.13). `INVALID_VALUE` if it lies outside.
         now glGetBufferSubData | glGetBufferSubDataARB get_buffer_sub_data(target: enum, offset: size, size: size,
             data: (bytes_out size));
+        /// Binds a vertex array object (ARB_vertex_array_object). `INVALID_OPERATION` for a name that was not generated.
+        now glBindVertexArray bind_vertex_array(array: uint);
+        /// Deletes vertex array objects; names that do not exist and 0 are ignored (ARB_vertex_array_object).
+        now glDeleteVertexArrays delete_vertex_arrays(n: i32, arrays: (slice u32: count(n)));
+        /// Makes names of vertex array objects (ARB_vertex_array_object).
+        now glGenVertexArrays gen_vertex_arrays(n: i32, arrays: (out u32: count(n)));
+        /// Whether a name is that of a vertex array object that has been bound (ARB_vertex_array_object).
+        now glIsVertexArray is_vertex_array(array: uint) -> bool;
         /// Ends the mapping of a buffer object (section 2.9). `INVALID_OPERATION` if it is not mapped.
         now glUnmapBuffer | glUnmapBufferARB unmap_buffer(target: enum) -> bool;
     }

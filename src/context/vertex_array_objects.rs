@@ -1,0 +1,100 @@
+//! Vertex array objects (ARB_vertex_array_object) for the arrays of the fixed functions: an object keeps what the pointer
+//! commands said, which arrays are on, and the buffer object of indices. The bound object's content is the client state
+//! itself; that of the others waits here. Object 0 is the one that always is.
+
+use super::array_pointers::{ATTRIBUTES, Arrays, Pointer};
+use super::engine::Engine;
+use crate::error::{Outcome, invalid_operation, invalid_value};
+use std::collections::{HashMap, HashSet};
+
+/// What an object keeps.
+#[derive(Clone, Debug)]
+struct Content {
+    pointers: [Pointer; ATTRIBUTES],
+    element_buffer: u32,
+}
+
+impl Default for Content {
+    fn default() -> Self {
+        let Arrays { pointers, element_buffer, .. } = Arrays::default();
+        Self { pointers, element_buffer }
+    }
+}
+
+/// All objects but the bound one.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct VertexArrays {
+    /// Names in use. `None`: generated and not bound yet, or bound now.
+    named: HashMap<u32, Option<Box<Content>>>,
+    /// Names that have been bound.
+    made: HashSet<u32>,
+    last: u32,
+}
+
+impl VertexArrays {
+    fn generate(&mut self) -> u32 {
+        loop {
+            self.last = self.last.wrapping_add(1);
+            if self.last != 0 && !self.named.contains_key(&self.last) {
+                self.named.insert(self.last, None);
+                return self.last;
+            }
+        }
+    }
+
+    /// Makes an object's content that of the client state, and keeps that of the one which was bound.
+    fn bind(&mut self, arrays: &mut Arrays, array: u32) -> Outcome {
+        if array == arrays.object {
+            return Ok(());
+        }
+        if array != 0 && !self.named.contains_key(&array) {
+            return Err(invalid_operation(format!(
+                "{array} is no name of a vertex array object; ask glGenVertexArrays for one"
+            )));
+        }
+        let next = self.named.insert(array, None).flatten().unwrap_or_default();
+        let before = Content {
+            pointers: std::mem::replace(&mut arrays.pointers, next.pointers),
+            element_buffer: std::mem::replace(&mut arrays.element_buffer, next.element_buffer),
+        };
+        if arrays.object == 0 || self.named.contains_key(&arrays.object) {
+            self.named.insert(arrays.object, Some(Box::new(before)));
+        }
+        self.made.insert(array);
+        arrays.object = array;
+        Ok(())
+    }
+}
+
+fn not_negative(n: i32) -> Outcome {
+    if n < 0 { Err(invalid_value(format!("{n} names; a number of names is not negative"))) } else { Ok(()) }
+}
+
+impl Engine {
+    pub(crate) fn gen_vertex_arrays(&mut self, n: i32, arrays: &mut [u32]) -> Outcome {
+        not_negative(n)?;
+        arrays.iter_mut().for_each(|name| *name = self.vertex_arrays.generate());
+        Ok(())
+    }
+
+    pub(crate) fn bind_vertex_array(&mut self, array: u32) -> Outcome {
+        self.vertex_arrays.bind(&mut self.client.arrays, array)
+    }
+
+    /// The bound object is unbound first: then object 0 is bound.
+    pub(crate) fn delete_vertex_arrays(&mut self, n: i32, arrays: &[u32]) -> Outcome {
+        not_negative(n)?;
+        for array in arrays.iter().copied().filter(|array| *array != 0) {
+            if self.client.arrays.object == array {
+                self.vertex_arrays.bind(&mut self.client.arrays, 0)?;
+            }
+            self.vertex_arrays.named.remove(&array);
+            self.vertex_arrays.made.remove(&array);
+        }
+        Ok(())
+    }
+
+    pub(crate) fn is_vertex_array(&mut self, array: u32) -> bool {
+        array != 0 && self.vertex_arrays.made.contains(&array)
+    }
+}
