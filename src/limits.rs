@@ -43,6 +43,8 @@ pub const SUBPIXEL_BITS: u32 = 8;
 pub const MAX_PIXEL_MAP_TABLE: usize = 256;
 /// Greatest order of an evaluator polynomial.
 pub const MAX_EVAL_ORDER: usize = 30;
+/// Greatest width and height of a convolution filter.
+pub const MAX_CONVOLUTION_SIZE: usize = 11;
 /// Range of aliased point sizes.
 pub const POINT_SIZE_RANGE: [f32; 2] = [1.0, 256.0];
 /// Range of aliased line widths.

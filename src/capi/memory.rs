@@ -101,7 +101,8 @@ pub(super) unsafe fn write<T: Element>(pointer: *mut T, values: impl Iterator<It
     }
 }
 
-/// Bytes that a query of the imaging subset writes: none as long as its rows are marked as missing.
-pub(super) const fn imaging_bytes(_cx: &Context, _target: GLenum, _format: GLenum, _type: GLenum) -> usize {
-    0
+/// Bytes that a query of the imaging subset writes.
+pub(super) fn imaging_bytes(cx: &mut Context, target: GLenum, format: GLenum, type_: GLenum) -> usize {
+    let size = cx.engine.imaging_size(target);
+    pack_bytes(cx, size, format, type_)
 }

@@ -207,13 +207,13 @@ macro_rules! c_abi {
         title $title:literal;
         canonical { $($canonical:tt)* }
         commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)* $c_snake:ident $c_args:tt
-            $($c_missing:ident)? ; )* }
+            ; )* }
         forms { $( family $sentence:literal { $( $(#[$f_doc:meta])* $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident $f_args:tt => $op:ident $f_call:tt ; )* } )* }
         context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident $o_args:tt $(-> $or:ident)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
-            $n_snake:ident $n_args:tt $(-> $nr:tt)? $($n_missing:ident)? ; )* }
+            $n_snake:ident $n_args:tt $(-> $nr:tt)? ; )* }
         queries { $( family $q_sentence:literal { $( $(#[$q_doc:meta])* $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident $q_args:tt -> $q_type:ident => $query:ident $q_call:tt ; )* } )* }
         answers { $($answers:tt)* }

@@ -23,7 +23,7 @@ fn copy_groups(to: &mut State, from: &State, mask: u32) {
         GL_LINE_BIT: line;
         GL_POLYGON_BIT: polygon;
         GL_POLYGON_STIPPLE_BIT: polygon_stipple;
-        GL_PIXEL_MODE_BIT: pixel.transfer, pixel.zoom, pixel.read_buffer;
+        GL_PIXEL_MODE_BIT: pixel.transfer, pixel.zoom, pixel.read_buffer, pixel.imaging;
         GL_LIGHTING_BIT: lighting;
         GL_FOG_BIT: fog;
         GL_DEPTH_BUFFER_BIT: depth;
@@ -45,7 +45,8 @@ fn copy_groups(to: &mut State, from: &State, mask: u32) {
             polygon.stipple, polygon.offset, depth.test, stencil.test, fog.enabled, fog.color_sum, line.smooth,
             line.stipple, point.smooth, transform.normalize, transform.rescale_normal, transform.clip_plane_enabled,
             scissor.enabled, multisample.enabled, multisample.alpha_to_coverage, multisample.alpha_to_one,
-            multisample.coverage;
+            multisample.coverage, pixel.imaging.tables, pixel.imaging.convolutions, pixel.imaging.histogram,
+            pixel.imaging.minmax;
     }
     if mask & GL_ENABLE_BIT != 0 {
         for (to, from) in to.lighting.lights.iter_mut().zip(&from.lighting.lights) {

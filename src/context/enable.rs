@@ -6,6 +6,7 @@ use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum};
 use crate::limits::{MAX_CLIP_PLANES, MAX_LIGHTS};
+use crate::state::imaging::{FilterTarget, TableTarget};
 use crate::state::texture::Target;
 use crate::state::{Dirty, State};
 
@@ -28,6 +29,8 @@ fn capability(state: &mut State, cap: GLenum) -> Option<(&mut bool, Dirty)> {
         GL_DEPTH_TEST => (&mut s.depth.test, FRAGMENT),
         GL_DITHER => (&mut s.color_buffer.dither, FRAGMENT),
         GL_FOG => (&mut s.fog.enabled, Dirty::ALL),
+        GL_HISTOGRAM => (&mut s.pixel.imaging.histogram, NONE),
+        GL_MINMAX => (&mut s.pixel.imaging.minmax, NONE),
         GL_INDEX_LOGIC_OP => (&mut s.color_buffer.index_logic_op_enabled, FRAGMENT),
         GL_LIGHTING => (&mut s.lighting.enabled, Dirty::ALL),
         GL_LINE_SMOOTH => (&mut s.line.smooth, Dirty::ALL),
@@ -61,6 +64,12 @@ fn indexed(s: &mut State, cap: GLenum) -> Option<(&mut bool, Dirty)> {
     }
     if let Some(i) = nth(GL_CLIP_PLANE0, MAX_CLIP_PLANES) {
         return Some((&mut s.transform.clip_plane_enabled[i], VERTEX));
+    }
+    if let Some(table) = TableTarget::from_gl(cap) {
+        return Some((&mut s.pixel.imaging.tables[table as usize], NONE));
+    }
+    if let Some(filter) = FilterTarget::from_gl(cap) {
+        return Some((&mut s.pixel.imaging.convolutions[filter as usize], NONE));
     }
     if let Some(i) = nth(GL_MAP1_COLOR_4, 9) {
         return Some((&mut s.eval.map1_enabled[i], NONE));

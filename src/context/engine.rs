@@ -6,6 +6,7 @@ use super::array_pointers::Arrays;
 use super::attribute_stack::AttributeStack;
 use super::buffer_objects::Buffers;
 use super::config::Config;
+use super::imaging::ImagingTables;
 use super::proxies::{Proxies, Proxy};
 use super::query_objects::Queries;
 use super::raster_position::RasterPosProcessor;
@@ -92,6 +93,8 @@ pub(crate) struct Engine {
     pub(crate) last_note: String,
     /// Where what is done is counted, if somebody wants to know.
     pub(crate) tally: Option<Tally>,
+    /// Tables and filters of the imaging subset.
+    pub(crate) imaging: Box<ImagingTables>,
     /// Selection and feedback.
     pub(crate) render_modes: RenderModes,
     /// Occlusion queries.
@@ -138,6 +141,7 @@ impl Engine {
             notes: Vec::new(),
             last_note: String::new(),
             tally: None,
+            imaging: Box::default(),
             render_modes: RenderModes::default(),
             queries: Queries::default(),
             framebuffer,

@@ -5,7 +5,7 @@
 use super::Context;
 use super::values::{FromState, Values};
 use crate::enums::*;
-use crate::error::{GlError, Outcome, code_name, invalid_operation};
+use crate::error::{GlError, Outcome, code_name};
 use std::panic::Location;
 
 /// The first error since the last question, with its place.
@@ -86,11 +86,6 @@ macro_rules! plain_results {
     })* };
 }
 plain_results!(() bool i32 u32 &'static str);
-
-/// The error of a command that the engine does not have.
-pub(crate) fn missing(method: &str) -> GlError {
-    invalid_operation(format!("{method} is not implemented yet; nothing has been done"))
-}
 
 /// Notes an error in the two places that keep it.
 #[cold]

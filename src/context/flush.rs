@@ -90,6 +90,9 @@ impl Engine {
         }
         self.check_has_buffers(pixel.kind())?;
         self.flush_scene();
+        if pixel.kind() == PixelKind::Color && self.uses_imaging() {
+            return self.read_imaged([x, y], [width, height], pixel, pixels);
+        }
         let transfer = crate::pixels::Transfer { mode: &self.state.pixel.transfer, maps: &self.state.pixel_maps };
         let mut target = ClientTarget::new_2d(pixels, &self.client.pixel_store.pack, [width, height], pixel)?;
         // Pixels outside the framebuffer are undefined: the memory that stands for them stays as it was.
@@ -126,6 +129,18 @@ impl Engine {
                     target.colors_rgba8(at, transfer, &texels);
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Colours that the imaging subset changes, perhaps with their number.
+    fn read_imaged(&mut self, from: [i32; 2], size: [i32; 2], pixel: PixelFormat, pixels: &mut [u8]) -> Outcome {
+        let image = self.read_colors(from, size.map(|n| n.unsigned_abs() as usize))?;
+        let Some(image) = self.transfer_image(image, 2)? else { return Ok(()) };
+        let size = image.size.map(|n| i32::try_from(n).unwrap_or(i32::MAX));
+        let mut target = ClientTarget::new_2d(pixels, &self.client.pixel_store.pack, size, pixel)?;
+        for (y, row) in image.colors.chunks_exact(image.size[0].max(1)).enumerate() {
+            target.colors([0, y, 0], crate::pixels::Transfer::NEUTRAL, row);
         }
         Ok(())
     }

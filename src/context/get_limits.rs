@@ -55,7 +55,7 @@ pub(crate) fn limit(pname: GLenum) -> Option<Values> {
 
 /// The extensions beyond GL 1.5, and those whose names older programs look for.
 const EXTENSIONS: &str = concat!(
-    "GL_ARB_depth_texture GL_ARB_multisample GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters ",
+    "GL_ARB_depth_texture GL_ARB_imaging GL_ARB_multisample GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters ",
     "GL_ARB_shadow GL_ARB_texture_border_clamp GL_ARB_texture_compression GL_ARB_texture_cube_map ",
     "GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 ",
     "GL_ARB_texture_mirrored_repeat GL_ARB_texture_non_power_of_two GL_ARB_texture_rectangle ",

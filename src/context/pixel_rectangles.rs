@@ -190,6 +190,9 @@ impl Engine {
         let (raster, [x, y, ..]) = (self.raster_state(), self.state.current.raster.position);
         let window = [[raster.clip.x0, raster.clip.x1], [raster.clip.y0, raster.clip.y1]];
         let placed = Placement::new(size, [x, y], self.state.pixel.zoom, window)?;
+        if matches!(kind, PixelKind::Color | PixelKind::Index) && self.uses_imaging() {
+            return self.draw_imaged(source, size, raster);
+        }
         let engine = &*self;
         let values = match kind {
             PixelKind::Color | PixelKind::Index if source.is_packed(engine) => {
@@ -210,6 +213,32 @@ impl Engine {
             }
         };
         self.draw_fragments(&placed, values, raster);
+        Ok(())
+    }
+
+    /// Colours that the imaging subset changes, perhaps with their number.
+    fn draw_imaged(&mut self, source: &Source<'_>, size: [u32; 2], raster: RasterState) -> Outcome {
+        let image = match source {
+            Source::Client(image) => self.client_colors(image)?,
+            Source::Framebuffer(from) => Some(self.read_colors(*from, size.map(|n| n as usize))?),
+        };
+        let Some(image) = image.map(|image| self.transfer_image(image, 2)).transpose()?.flatten() else {
+            return Ok(());
+        };
+        let [x, y, ..] = self.state.current.raster.position;
+        let window = [[raster.clip.x0, raster.clip.x1], [raster.clip.y0, raster.clip.y1]];
+        let size = image.size.map(|n| u32::try_from(n).unwrap_or(0));
+        if size.contains(&0) {
+            return Ok(());
+        }
+        let placed = Placement::new(size, [x, y], self.state.pixel.zoom, window)?;
+        let colors = placed.resolve(|[x, y], row: &mut [[f32; 4]]| {
+            let at = y as usize * image.size[0] + x as usize;
+            for (to, from) in row.iter_mut().zip(image.colors.get(at..).unwrap_or_default()) {
+                *to = from.map(clamp01);
+            }
+        })?;
+        self.draw_fragments(&placed, PixelValues::Colors(colors), raster);
         Ok(())
     }
 

@@ -20,6 +20,10 @@ impl Engine {
     }
 
     pub(crate) fn pixel_transfer(&mut self, pname: GLenum, params: &Params) -> Outcome {
+        if let Some(parameter) = self.state.pixel.imaging.parameter(pname) {
+            *parameter = params.scalar();
+            return Ok(());
+        }
         let transfer = &mut self.state.pixel.transfer;
         if params.is_int() { transfer.set_i32(pname, params.integer(0)) } else { transfer.set(pname, params.scalar()) }
     }
@@ -42,6 +46,10 @@ impl Engine {
     pub(crate) fn pixel_value(&self, pname: GLenum) -> Option<Values> {
         if let Some(size) = self.state.pixel_maps.size(pname) {
             return Some(Values::int(size as i32));
+        }
+        let mut imaging = self.state.pixel.imaging;
+        if let Some(parameter) = imaging.parameter(pname) {
+            return Some(Values::float(*parameter));
         }
         let value = self.state.pixel.transfer.get(pname)?;
         Some(match pname {

@@ -112,12 +112,7 @@ impl Request {
         let target = self.place.target;
         let border = 2 * self.border.unsigned_abs();
         let most = limit(target, level);
-        let axes = match dimensions_of(target) {
-            Dimensions::One => 1,
-            Dimensions::Two => 2,
-            Dimensions::Three => 3,
-        };
-        for extent in &size[..axes] {
+        for extent in &size[..dimensions_of(target).count()] {
             if *extent < border || *extent - border > most {
                 return Err(invalid_value(format!(
                     "an image of {} x {} x {} at level {level}; each side is from {border} to {} texels there",
@@ -205,7 +200,7 @@ impl Engine {
     }
 
     #[expect(clippy::too_many_arguments, reason = "the arguments are GL's")]
-    fn tex_image(
+    pub(crate) fn tex_image(
         &mut self,
         place: Place,
         level: i32,
@@ -218,6 +213,18 @@ impl Engine {
         let pixel = PixelFormat::for_command(format, type_, Purpose::TexImage)?;
         let internal = InternalFormat::of_tex_image(internal_format)?;
         check_formats(pixel, internal)?;
+        if self.uses_imaging() {
+            let (store, dimensions) = (self.client.pixel_store.unpack, dimensions_of(place.target));
+            if let Some(client) = client_image(pixels, &store, dimensions, size, pixel)?
+                && let Some(image) = self.client_colors(&client)?
+            {
+                let Some(image) = self.transfer_image(image, dimensions.count())? else { return Ok(()) };
+                let size = image.size_3d(size[2]);
+                return self.with_transferred(&image, |engine, pair, pixels| {
+                    engine.tex_image(place, level, internal_format, size, border, pair, pixels)
+                });
+            }
+        }
         let request = Request { place, level, size, border, format: internal };
         let Some(level) = self.admit(&request)? else { return Ok(()) };
         let dimensions = dimensions_of(place.target);

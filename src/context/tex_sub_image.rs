@@ -6,6 +6,7 @@ use super::engine::Engine;
 use super::tex_image::{Place, Request, client_image, dimensions_of, place};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_operation, invalid_value};
+use crate::pixels::imaging::ColorImage;
 use crate::pixels::{PixelFormat, Purpose, Transfer};
 use crate::texture::format::{BaseFormat, InternalFormat};
 use crate::texture::image::Image;
@@ -72,6 +73,18 @@ impl Engine {
     ) -> Outcome {
         let place = not_proxy(place)?;
         let pixel = PixelFormat::for_command(format, type_, Purpose::TexImage)?;
+        if self.uses_imaging() {
+            let (store, dimensions) = (self.client.pixel_store.unpack, dimensions_of(place.target));
+            if let Some(client) = client_image(pixels, &store, dimensions, size, pixel)?
+                && let Some(image) = self.client_colors(&client)?
+            {
+                let Some(image) = self.transfer_image(image, dimensions.count())? else { return Ok(()) };
+                let size = image.size_3d(size[2]);
+                return self.with_transferred(&image, |engine, pair, pixels| {
+                    engine.tex_sub_image(place, level, offset, size, pair, pixels)
+                });
+            }
+        }
         let (level, image) = self.existing_image(place, level)?;
         check_formats(pixel, image.format)?;
         image.check_region(offset, size)?;
@@ -142,6 +155,13 @@ impl Engine {
         let place = not_proxy(place)?;
         let format = InternalFormat::of_copy_tex_image(internal_format)?;
         self.check_source(format.base)?;
+        if format.base != BaseFormat::Depth && self.uses_imaging() {
+            let Some(image) = self.copied(place, from, [size[0], size[1]])? else { return Ok(()) };
+            let size = image.size_3d(1);
+            return self.with_transferred(&image, |engine, pair, pixels| {
+                engine.tex_image(place, level, internal_format.cast_signed(), size, border, pair, pixels)
+            });
+        }
         let Some(level) = self.admit(&Request { place, level, size, border, format })? else { return Ok(()) };
         let border = border.unsigned_abs();
         let interior = size.map(|n| n.unsigned_abs().saturating_sub(2 * border));
@@ -207,6 +227,14 @@ impl Engine {
         let place = not_proxy(place)?;
         let (level, image) = self.existing_image(place, level)?;
         self.check_source(image.base)?;
+        if image.base != BaseFormat::Depth && self.uses_imaging() {
+            drop(image);
+            let Some(image) = self.copied(place, from, size)? else { return Ok(()) };
+            let size = image.size_3d(1);
+            return self.with_transferred(&image, |engine, pair, pixels| {
+                engine.tex_sub_image(place, level as i32, offset, size, pair, pixels)
+            });
+        }
         let region = [size[0], size[1], 1];
         image.check_region(offset, region)?;
         image.check_block_region(offset, region)?;
@@ -225,6 +253,16 @@ impl Engine {
         object.faces[place.face][level] = Some(image);
         written?;
         self.after_image_change(place, level)
+    }
+
+    /// Colours of the framebuffer that the imaging subset changes, perhaps with their number.
+    fn copied(&mut self, place: Place, from: [i32; 2], size: [i32; 2]) -> Outcome<Option<ColorImage>> {
+        if size[0] < 0 || size[1] < 0 {
+            return Err(invalid_value(format!("an area of {} by {}; neither may be negative", size[0], size[1])));
+        }
+        self.flush_scene();
+        let image = self.read_colors(from, size.map(|n| n.unsigned_abs() as usize))?;
+        self.transfer_image(image, dimensions_of(place.target).count().min(2))
     }
 
     /// A depth texture is copied from the depth buffer, any other from the colour buffer.

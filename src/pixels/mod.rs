@@ -5,6 +5,7 @@
 
 pub mod element;
 pub mod format;
+pub mod imaging;
 pub mod layout;
 pub mod pack;
 pub mod transfer;

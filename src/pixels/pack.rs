@@ -100,6 +100,47 @@ impl<'a> ClientTarget<'a> {
         }
     }
 
+    /// Writes colours from group `at` on as a query assigned them: a luminance stands in R. Floats are not limited.
+    pub fn values(&mut self, at: [usize; 3], colors: &[[f32; 4]]) {
+        if self.pixel.type_ == Type::Float {
+            return self.components(at, colors);
+        }
+        let limited: Vec<[f32; 4]> = colors.iter().map(|color| color.map(clamp01)).collect();
+        self.components(at, &limited);
+    }
+
+    /// Writes counts as numbers of the type, no larger than that holds.
+    pub fn counts(&mut self, counts: &[[u32; 4]]) {
+        let (type_, swap, channels) = (self.pixel.type_, self.swap, self.pixel.format.channels());
+        let groups = self.groups([0; 3]);
+        match type_ {
+            Type::UnsignedByte => gather_counts::<u8>(groups, swap, channels, counts, 0xFF),
+            Type::Byte => gather_counts::<i8>(groups, swap, channels, counts, 0x7F),
+            Type::UnsignedShort => gather_counts::<u16>(groups, swap, channels, counts, 0xFFFF),
+            Type::Short => gather_counts::<i16>(groups, swap, channels, counts, 0x7FFF),
+            Type::UnsignedInt => gather_counts::<u32>(groups, swap, channels, counts, u32::MAX),
+            Type::Int => gather_counts::<i32>(groups, swap, channels, counts, 0x7FFF_FFFF),
+            Type::Float => gather_counts::<f32>(groups, swap, channels, counts, u32::MAX),
+            Type::Packed(packing) => {
+                // The share of a component's range that a count is.
+                let share = |n: u32, i: usize| n as f32 / ((1u64 << packing.bits[i].max(1)) - 1) as f32;
+                let shares: Vec<[f32; 4]> = counts
+                    .iter()
+                    .map(|count| {
+                        let mut color = [0.0; 4];
+                        channels
+                            .iter()
+                            .enumerate()
+                            .for_each(|(i, c)| color[c & 3] = clamp01(share(count[c & 3], i & 3)));
+                        color
+                    })
+                    .collect();
+                pack_packed(groups, swap, packing, channels, &shares);
+            }
+            Type::Bitmap | Type::UnsignedInt248 => {}
+        }
+    }
+
     /// Writes final components; a luminance stands in R.
     fn components(&mut self, at: [usize; 3], colors: &[[f32; 4]]) {
         let (type_, swap, channels) = (self.pixel.type_, self.swap, self.pixel.format.channels());
@@ -279,6 +320,14 @@ fn gather<E: Element>(groups: &mut [u8], swap: bool, channels: &[usize], colors:
     for (to, from) in groups.chunks_exact_mut(E::BYTES * channels.len()).zip(colors) {
         for (&channel, bytes) in channels.iter().zip(to.chunks_exact_mut(E::BYTES)) {
             E::from_component(from[channel & 3]).write(bytes, swap);
+        }
+    }
+}
+
+fn gather_counts<E: Element>(groups: &mut [u8], swap: bool, channels: &[usize], counts: &[[u32; 4]], most: u32) {
+    for (to, from) in groups.chunks_exact_mut(E::BYTES * channels.len()).zip(counts) {
+        for (&channel, bytes) in channels.iter().zip(to.chunks_exact_mut(E::BYTES)) {
+            E::from_index(from[channel & 3].min(most)).write(bytes, swap);
         }
     }
 }

@@ -28,6 +28,7 @@ pages! {
     rasterisation = "rasterisation.md";
     lines_and_points = "lines-and-points.md";
     threads_and_bands = "threads-and-bands.md";
+    imaging = "imaging.md";
     evaluators = "evaluators.md";
     selection_and_feedback = "selection-and-feedback.md";
     pixel_rectangles = "pixel-rectangles.md";

@@ -9,6 +9,7 @@ pub mod current;
 pub mod depth_stencil;
 pub mod eval;
 pub mod fog;
+pub mod imaging;
 pub mod lighting;
 pub mod per_unit;
 pub mod pixel;

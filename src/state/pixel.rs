@@ -3,6 +3,7 @@
 //! setter checks its value before it changes anything.
 
 use super::color_buffer::ColorBufferName;
+use super::imaging::Imaging;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_value};
 
@@ -266,11 +267,18 @@ pub struct Pixel {
     pub zoom: [f32; 2],
     /// Which colour buffer is read.
     pub read_buffer: ColorBufferName,
+    /// The imaging subset.
+    pub imaging: Imaging,
 }
 
 impl Default for Pixel {
     fn default() -> Self {
-        Self { transfer: PixelTransfer::default(), zoom: [1.0; 2], read_buffer: ColorBufferName::Front }
+        Self {
+            transfer: PixelTransfer::default(),
+            zoom: [1.0; 2],
+            read_buffer: ColorBufferName::Front,
+            imaging: Imaging::default(),
+        }
     }
 }
 

@@ -145,6 +145,12 @@ pub struct InternalFormat {
 }
 
 impl InternalFormat {
+    /// GL_RGBA, the format of tables and filters that nobody has specified.
+    #[must_use]
+    pub fn rgba() -> &'static InternalFormat {
+        Self::find(GL_RGBA).unwrap_or(&FORMATS[0])
+    }
+
     /// The row of `value`, whatever command it came from; `None` if it is no internal format.
     #[must_use]
     pub fn find(value: GLenum) -> Option<&'static InternalFormat> {

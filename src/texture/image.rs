@@ -22,6 +22,18 @@ pub enum Dimensions {
     Three,
 }
 
+impl Dimensions {
+    /// How many there are.
+    #[must_use]
+    pub const fn count(self) -> usize {
+        match self {
+            Dimensions::One => 1,
+            Dimensions::Two => 2,
+            Dimensions::Three => 3,
+        }
+    }
+}
+
 /// A texel of floats, or one before it is rounded.
 pub type FloatTexel = [f32; 4];
 

@@ -31,6 +31,7 @@ mod fog;
 mod fuzz;
 mod glu;
 mod glu_numbers;
+mod imaging;
 mod lighting;
 mod lines;
 mod lists;

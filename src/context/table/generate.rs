@@ -1,5 +1,5 @@
 //! What a chapter of the table becomes on the Rust side (OpenGL 1.5, chapter 2.5 and 5.4): the way of every op to the
-//! engine, the public methods of `Context`, the answers of the rows that are marked as missing, and the rows as data.
+//! engine, the public methods of `Context`, and the rows as data.
 //! `methods.rs` hands the rows of each chapter to [`chapter!`].
 
 /// Whether a command of a class may stand between Begin and End: only then it needs no check.
@@ -72,38 +72,10 @@ macro_rules! dispatch {
     };
 }
 
-/// The engine's method of a row that is marked as missing. All other rows call a method that must be there.
-macro_rules! missing {
-    ([] $($row:tt)*) => {};
-    ([missing] $snake:ident ( $($a:ident : $k:tt),* ) $(-> $r:ty)?) => {
-        #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
-        impl $crate::context::engine::Engine {
-            #[cold]
-            pub(crate) fn $snake(
-                &mut self,
-                $($a: $crate::context::table::arg_kinds::engine_ty!($k)),*
-            ) -> $crate::error::Outcome<$crate::context::table::generate::or_unit!($($r)?)> {
-                $( let _ = $a; )*
-                Err($crate::context::errors::missing(stringify!($snake)))
-            }
-        }
-    };
-}
-
 /// A question to the engine. The open display list is the context's own affair.
 macro_rules! ask {
     ($cx:ident, get($pname:expr)) => { $crate::context::context_commands::get($cx, $pname) };
     ($cx:ident, $query:ident($($e:expr),*)) => { $cx.engine.$query($($e),*) };
-}
-
-/// What a missing method would return.
-macro_rules! or_unit {
-    () => {
-        ()
-    };
-    ($r:ty) => {
-        $r
-    };
 }
 
 /// The start of every door: plain values, and a line of trace if somebody listens.
@@ -122,43 +94,24 @@ macro_rules! enter {
 macro_rules! chapter {
     (
         title $title:literal;
-        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) $($missing:ident)? ; )* }
+        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) ; )* }
         commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)*
-            $c_snake:ident ( $($ca:ident : $ck:tt),* ) $($c_missing:ident)? ; )* }
+            $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
         forms { $( family $sentence:literal { $( $(#[$f_doc:meta])* $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident ( $($fe:expr),* ) ; )* } )* }
         context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
-            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? $($n_missing:ident)? ; )* }
+            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
         queries { $( family $q_sentence:literal { $( $(#[$q_doc:meta])* $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident ( $($qe:expr),* ) ; )* } )* }
-        answers { $( $answer:ident ( $($aa:ident : $ak:tt),* ) $($a_missing:ident)? ; )* }
-        manual { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* $($h_missing:ident)? ; )* }
+        answers { $( $answer:ident ( $($aa:ident : $ak:tt),* ) ; )* }
+        manual { $( $h_class:ident $h_name:ident $(| $h_alias:ident)* ; )* }
     ) => {
         $crate::context::table::generate::dispatch! {
             $( $class $name $snake ( $($a : $k),* ) ; )*
             $( $c_class $c_name $c_snake ( $($ca : $ck),* ) ; )*
         }
-        $( $crate::context::table::generate::missing! { [$($missing)?] $snake ( $($a : $k),* ) } )*
-        $( $crate::context::table::generate::missing! { [$($c_missing)?] $c_snake ( $($ca : $ck),* ) } )*
-        $( $crate::context::table::generate::missing! {
-            [$($n_missing)?] $n_snake ( $($na : $nk),* ) $(-> $crate::context::table::arg_kinds::return_ty!($nr))?
-        } )*
-        $( $crate::context::table::generate::missing! {
-            [$($a_missing)?] $answer ( $($aa : $ak),* ) -> $crate::context::Values
-        } )*
-
-        /// The rows of this chapter that are marked as missing.
-        #[cfg(test)]
-        pub(crate) const MISSING: &[(&str, &str)] = &[
-            $( $( (stringify!($snake), stringify!($missing)), )? )*
-            $( $( (stringify!($c_snake), stringify!($c_missing)), )? )*
-            $( $( (stringify!($n_snake), stringify!($n_missing)), )? )*
-            $( $( (stringify!($answer), stringify!($a_missing)), )? )*
-            $( $( (stringify!($h_name), stringify!($h_missing)), )? )*
-        ];
-
         /// The rows of this chapter.
         #[cfg(test)]
         pub(crate) const ROWS: &[$crate::context::table::rows::Row] = &[
@@ -269,4 +222,4 @@ macro_rules! chapter {
     };
 }
 
-pub(crate) use {allowed_inside, ask, chapter, dispatch, enter, immediate, missing, or_unit};
+pub(crate) use {allowed_inside, ask, chapter, dispatch, enter, immediate};

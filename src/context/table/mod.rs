@@ -27,8 +27,8 @@
 //!
 //! # What the engine implements
 //! Inherent methods of `Engine` named as the rows of `canonical`, `commands`, `now` and `answers`, `&mut self`, `pub(crate)`,
-//! returning `()`, a value, or an [`Outcome`](crate::error::Outcome) of it. A row that waits for its engine ends in the word
-//! `missing`; it answers `INVALID_OPERATION`. A row without it whose method is not there does not compile. The canonical ones:
+//! returning `()`, a value, or an [`Outcome`](crate::error::Outcome) of it. A row
+//! whose method is not there does not compile. The canonical ones:
 //! ```text
 //! vertex([f32;4])  color([f32;4])  secondary_color([f32;4])  normal([f32;3])  tex_coord([f32;4])
 //! multi_tex_coord(target: u32, [f32;4])  fog_coord(f32)  index(f32)  edge_flag(bool)

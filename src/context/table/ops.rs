@@ -21,9 +21,9 @@ macro_rules! op {
 macro_rules! ops {
     (
         title $title:literal;
-        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) $($missing:ident)? ; )* }
+        canonical { $( $class:ident $name:ident $snake:ident ( $($a:ident : $k:tt),* ) ; )* }
         commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)*
-            $c_snake:ident ( $($ca:ident : $ck:tt),* ) $($c_missing:ident)? ; )* }
+            $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
         $($others:tt)*
     ) => {
         op! {

@@ -57,16 +57,9 @@ macro_rules! chapters {
     ($($chapter:ident: $table:ident;)*) => {
         /// The rows of each chapter.
         const CHAPTERS: &[&[Row]] = &[$( methods::$chapter::ROWS ),*];
-        /// The marks of each chapter's rows that wait for their engine.
-        const MISSING: &[&[(&str, &str)]] = &[$( methods::$chapter::MISSING ),*];
     };
 }
 for_each_chapter!(chapters);
-
-/// The rows that are marked as missing, with their marks.
-pub fn missing() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-    MISSING.iter().copied().flatten()
-}
 
 /// All rows of the table.
 pub fn rows() -> impl Iterator<Item = &'static Row> {

@@ -75,13 +75,13 @@ macro_rules! calls {
         title $title:literal;
         canonical { $($canonical:tt)* }
         commands { $( $(#[$doc:meta])* $c_class:ident $c_name:ident $(| $c_alias:ident)*
-            $c_snake:ident ( $($ca:ident : $ck:tt),* ) $($c_missing:ident)? ; )* }
+            $c_snake:ident ( $($ca:ident : $ck:tt),* ) ; )* }
         forms { $( family $sentence:literal { $( $(#[$f_doc:meta])* $f_class:ident $f_name:ident $(| $f_alias:ident)*
             $f_snake:ident ( $($fa:ident : $fk:tt),* ) => $op:ident $f_call:tt ; )* } )* }
         context { $( $(#[$o_doc:meta])* $o_class:ident $o_name:ident $(| $o_alias:ident)*
             $o_snake:ident ( $($oa:ident : $ok:tt),* ) $(-> $or:tt)? ; )* }
         now { $( $(#[$n_doc:meta])* $n_class:ident $n_name:ident $(| $n_alias:ident)*
-            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? $($n_missing:ident)? ; )* }
+            $n_snake:ident ( $($na:ident : $nk:tt),* ) $(-> $nr:tt)? ; )* }
         queries { $( family $q_sentence:literal { $( $(#[$q_doc:meta])* $q_name:ident $(| $q_alias:ident)*
             $q_snake:ident ( $($qa:ident : $qk:tt),* ) -> $q_type:ident => $query:ident $q_call:tt ; )* } )* }
         answers { $($answers:tt)* }
@@ -180,11 +180,4 @@ fn no_argument_makes_a_recorded_command_panic() {
         }
         assert!(!cx.flags.recording() || *name == "glNewList", "{name}");
     }
-}
-
-#[test]
-fn rows_that_wait_for_their_engine_are_marked_and_counted() {
-    let missing: Vec<_> = super::rows::missing().collect();
-    assert!(missing.iter().all(|(_, mark)| *mark == "missing"));
-    assert_eq!(missing.len(), 24, "{missing:?}");
 }
