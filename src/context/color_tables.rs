@@ -2,7 +2,7 @@
 //! them, proxies, parameters, queries.
 
 use super::engine::Engine;
-use super::imaging::{Entries, color_format};
+use super::imaging_tables::{Entries, color_format};
 use super::{Params, Pixels, Values};
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_value, known, not_one};

@@ -3,7 +3,7 @@
 
 use super::color_tables::{color_pixels, expanded};
 use super::engine::Engine;
-use super::imaging::{Entries, color_format};
+use super::imaging_tables::{Entries, color_format};
 use super::{Params, Pixels, Values};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_value, known, not_one};

@@ -2,7 +2,7 @@
 //! display lists have in common. A draw that is worth it is cut into parts for several threads.
 
 use super::engine::Engine;
-use super::render_modes::RenderModes;
+use super::render_records::RenderModes;
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::raster::Scene;

@@ -4,7 +4,7 @@
 use super::Values;
 use super::color_tables::{MAX_TABLE_WIDTH, component_bits, power_of_two, too_large};
 use super::engine::Engine;
-use super::imaging::{Entries, Histogram, Minmax, color_format};
+use super::imaging_tables::{Entries, Histogram, Minmax, color_format};
 use crate::enums::*;
 use crate::error::{Outcome, not_one};
 use crate::pixels::{ClientTarget, PixelFormat, PixelKind, Purpose};
@@ -69,7 +69,7 @@ impl Engine {
         only(target, GL_HISTOGRAM, "GL_HISTOGRAM")?;
         let pixel = queried_pair(format, type_)?;
         let Histogram { entries, bins, .. } = &mut self.imaging.histogram;
-        let has = super::imaging::components_of(entries.format.base);
+        let has = super::imaging_tables::components_of(entries.format.base);
         let width = i32::try_from(bins.len()).unwrap_or(i32::MAX);
         let mut target = ClientTarget::new_2d(out, &self.client.pixel_store.pack, [width, 1], pixel)?;
         let counts: Vec<[u32; 4]> =

@@ -4,8 +4,8 @@
 
 use super::Pixels;
 use super::engine::Engine;
-use super::raster_position::raster_vertex;
 use super::tex_image::client_image;
+use super::whole_vertex::raster_vertex;
 use crate::enums::gl_enum;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_value, known};

@@ -3,8 +3,7 @@
 //! itself; that of the others waits here. Object 0 is the one that always is.
 
 use super::array_pointers::{ATTRIBUTES, Arrays, Pointer};
-use super::engine::Engine;
-use crate::error::{Outcome, invalid_operation, invalid_value};
+use crate::error::{Outcome, invalid_operation};
 use std::collections::{HashMap, HashSet};
 
 /// What an object keeps.
@@ -32,7 +31,7 @@ pub(crate) struct VertexArrays {
 }
 
 impl VertexArrays {
-    fn generate(&mut self) -> u32 {
+    pub(super) fn generate(&mut self) -> u32 {
         loop {
             self.last = self.last.wrapping_add(1);
             if self.last != 0 && !self.named.contains_key(&self.last) {
@@ -43,7 +42,7 @@ impl VertexArrays {
     }
 
     /// Makes an object's content that of the client state, and keeps that of the one which was bound.
-    fn bind(&mut self, arrays: &mut Arrays, array: u32) -> Outcome {
+    pub(super) fn bind(&mut self, arrays: &mut Arrays, array: u32) -> Outcome {
         if array == arrays.object {
             return Ok(());
         }
@@ -64,37 +63,15 @@ impl VertexArrays {
         arrays.object = array;
         Ok(())
     }
-}
 
-fn not_negative(n: i32) -> Outcome {
-    if n < 0 { Err(invalid_value(format!("{n} names; a number of names is not negative"))) } else { Ok(()) }
-}
-
-impl Engine {
-    pub(crate) fn gen_vertex_arrays(&mut self, n: i32, arrays: &mut [u32]) -> Outcome {
-        not_negative(n)?;
-        arrays.iter_mut().for_each(|name| *name = self.vertex_arrays.generate());
-        Ok(())
+    /// Forgets a name that is not bound.
+    pub(super) fn remove(&mut self, array: u32) {
+        self.named.remove(&array);
+        self.made.remove(&array);
     }
 
-    pub(crate) fn bind_vertex_array(&mut self, array: u32) -> Outcome {
-        self.vertex_arrays.bind(&mut self.client.arrays, array)
-    }
-
-    /// The bound object is unbound first: then object 0 is bound.
-    pub(crate) fn delete_vertex_arrays(&mut self, n: i32, arrays: &[u32]) -> Outcome {
-        not_negative(n)?;
-        for array in arrays.iter().copied().filter(|array| *array != 0) {
-            if self.client.arrays.object == array {
-                self.vertex_arrays.bind(&mut self.client.arrays, 0)?;
-            }
-            self.vertex_arrays.named.remove(&array);
-            self.vertex_arrays.made.remove(&array);
-        }
-        Ok(())
-    }
-
-    pub(crate) fn is_vertex_array(&mut self, array: u32) -> bool {
-        array != 0 && self.vertex_arrays.made.contains(&array)
+    /// Whether an object has been bound.
+    pub(super) fn is_made(&self, array: u32) -> bool {
+        array != 0 && self.made.contains(&array)
     }
 }

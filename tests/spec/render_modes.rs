@@ -66,7 +66,8 @@ fn every_primitive_has_its_tokens() {
     // The vertices of each mode, as numbers of the eight that are issued.
     let (point, line, reset, polygon) = (GL_POINT_TOKEN, GL_LINE_TOKEN, GL_LINE_RESET_TOKEN, GL_POLYGON_TOKEN);
     let at = |i: usize| [8.0 + 6.0 * (i / 2) as f32, 8.0 + 9.0 * (i % 2) as f32];
-    let rows: [(GLenum, Vec<(GLenum, Vec<usize>)>); 4] = [
+    type Tokens = Vec<(GLenum, Vec<usize>)>;
+    let rows: [(GLenum, Tokens); 4] = [
         (GL_POINTS, (0..6).map(|i| (point, vec![i])).collect()),
         (GL_LINES, (0..3).map(|i| (reset, vec![2 * i, 2 * i + 1])).collect()),
         (GL_LINE_STRIP, (0..5).map(|i| (if i == 0 { reset } else { line }, vec![i, i + 1])).collect()),

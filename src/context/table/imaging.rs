@@ -72,7 +72,7 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
         /// Writes both parts of a separable filter under the pack state (section 6.1.8).
         now glGetSeparableFilter | glGetSeparableFilterEXT get_separable_filter(target: enum, format: enum, type_: enum,
             row: (imaging_out target, format, type_),
-            column: (imaging_out crate::context::imaging::COLUMN, format, type_), span: (bytes_out 0));
+            column: (imaging_out crate::context::imaging_tables::COLUMN, format, type_), span: (bytes_out 0));
         /// Writes a histogram under the pack state (section 6.1.9).
         now glGetHistogram | glGetHistogramEXT get_histogram(target: enum, reset: bool, format: enum, type_: enum,
             values: (imaging_out target, format, type_));
