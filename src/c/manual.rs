@@ -2,7 +2,8 @@
 #![expect(non_snake_case, reason = "the names are GL's own")]
 
 use super::current;
-use crate::context::{InSlice, IndexLists};
+use crate::context::context_commands::multi_draw_elements;
+use crate::context::{InSlice, IndexLists, param_counts};
 use crate::enums::{GL_FALSE, GL_TRUE, GLboolean, GLenum, GLint, GLsizei};
 
 /// Runs an expression with the current context; without one the call is counted and does nothing.
@@ -35,8 +36,8 @@ pub fn glMultiDrawElements(
 ) {
     with!(glMultiDrawElements, cx => {
         let count = count.slice();
-        let n = usize::try_from(drawcount).unwrap_or(0).min(count.len());
-        cx.multi_draw_elements(mode, count.get(..n).unwrap_or_default(), type_, indices);
+        let count = count.get(..param_counts::count(drawcount)).unwrap_or(count);
+        multi_draw_elements(cx, "glMultiDrawElements", mode, count, type_, &indices.lists(), drawcount);
     });
 }
 pub use self::glMultiDrawElements as glMultiDrawElementsEXT;

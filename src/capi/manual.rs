@@ -2,7 +2,8 @@
 
 use super::osmesa::ClientBuffer;
 use super::{current, memory};
-use crate::context::{Indices, param_counts};
+use crate::context::context_commands::multi_draw_elements;
+use crate::context::{Context, Indices, param_counts};
 use crate::enums::*;
 use std::ffi::c_void;
 
@@ -17,16 +18,17 @@ pub unsafe extern "C" fn glMultiDrawElements(
     drawcount: i32,
 ) {
     current::with(|cx| {
-        if indices.is_null() {
-            return;
-        }
         // SAFETY: the caller's promise.
         let count = unsafe { memory::slice(count, param_counts::count(drawcount)) };
-        for (i, n) in count.iter().enumerate() {
-            // SAFETY: the caller's promise.
-            let list: Indices<'_> = unsafe { memory::indices(cx, *indices.add(i), *n, type_) };
-            cx.draw_elements(mode, *n, type_, list);
-        }
+        let list = |cx: &mut Context, (i, n): (usize, &i32)| {
+            // SAFETY: the caller's promise; the pointer is not null.
+            unsafe { memory::indices(cx, *indices.add(i), *n, type_) }
+        };
+        let lists: Vec<Indices<'_>> = match indices.is_null() {
+            true => Vec::new(),
+            false => count.iter().enumerate().map(|i| list(cx, i)).collect(),
+        };
+        multi_draw_elements(cx, "glMultiDrawElements", mode, count, type_, &lists, drawcount);
     });
 }
 

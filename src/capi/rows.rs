@@ -19,6 +19,7 @@ macro_rules! c_ty {
     (size) => { isize };
     ([$t:ty; $n:literal]) => { *const $t };
     ((slice $t:ty : $($count:tt)*)) => { *const $t };
+    ((upto $t:ty : $($count:tt)*)) => { *const $t };
     ((out $t:ty : $($count:tt)*)) => { *mut $t };
     ((rect $($size:tt)*)) => { *const c_void };
     ((bytes $size:expr)) => { *const c_void };
@@ -32,6 +33,7 @@ macro_rules! c_ty {
 macro_rules! from_c {
     ([$t:ty; $n:literal], $cx:ident, $a:ident) => { unsafe { memory::slice::<$t>($a, $n) } };
     ((slice $t:ty : $($count:tt)*), $cx:ident, $a:ident) => { unsafe { memory::slice::<$t>($a, param_counts::$($count)*) } };
+    ((upto $t:ty : $($count:tt)*), $cx:ident, $a:ident) => { unsafe { memory::slice::<$t>($a, param_counts::$($count)*) } };
     ((out $t:ty : $($count:tt)*), $cx:ident, $a:ident) => { unsafe { memory::slice_mut::<$t>($a, param_counts::$($count)*) } };
     ((rect $size:expr, $format:expr, $type:expr), $cx:ident, $a:ident) => {{
         let n = memory::unpack_bytes($cx, $size, $format, $type);

@@ -97,7 +97,12 @@ impl Engine {
         if saved.mask & GL_TEXTURE_BIT != 0 {
             self.textures.forget_deleted_bindings(&mut self.state.texture);
         }
-        if saved.mask & !IN_NO_PLAN != 0 {
+        let mask = saved.mask;
+        // A colour, a material or the enable that came back: what tracks the colour follows at once.
+        if mask & (GL_CURRENT_BIT | GL_LIGHTING_BIT | GL_ENABLE_BIT) != 0 {
+            self.track_color();
+        }
+        if mask & !IN_NO_PLAN != 0 {
             self.dirty = Dirty::ALL;
         }
         Ok(())

@@ -3,11 +3,14 @@
 //! stand in the section `context` call the functions here; those in `manual` are the methods at the end.
 
 use super::draw_arrays::ArrayElement;
-use super::recorder::Command;
+use super::engine::Engine;
+use super::list_compile::compile;
+use super::recorder::{Command, FailedCommand, ListDraw};
+use super::show::{Enumerant, Show};
 use super::table::ops::vertex::Op;
 use super::{Context, IndexLists, Indices, Pixels, Values};
 use crate::enums::*;
-use crate::error::{Outcome, invalid_value};
+use crate::error::{GlError, Outcome, invalid_value, out_of_memory};
 
 /// The list that is open, for queries; everything else is the engine's.
 pub(crate) fn get(cx: &mut Context, pname: GLenum) -> Outcome<Values> {
@@ -77,7 +80,12 @@ pub(crate) fn call_list(cx: &mut Context, name: &'static str, list: u32) {
 pub(crate) fn call_lists(cx: &mut Context, name: &'static str, n: i32, type_: GLenum, lists: &Pixels<'_>) {
     let offsets = match super::lists::offsets(n, type_, lists.bytes().unwrap_or_default()) {
         Ok(offsets) => offsets,
-        Err(error) => return cx.fail(name, error),
+        Err(error) => {
+            if !cx.flags.recording() || record_failed(cx, name, true, error.clone()) {
+                cx.fail(name, error)
+            }
+            return;
+        }
     };
     if cx.flags.recording() && !cx.record(name, Command::Calls(offsets.clone())) {
         return;
@@ -99,101 +107,118 @@ fn without_recording(cx: &mut Context, f: impl FnOnce(&mut Context)) {
 }
 
 /// Adds the commands that one array element stands for.
-fn element_ops(element: ArrayElement, ops: &mut Vec<Op>) {
+fn element_ops(element: ArrayElement, ops: &mut Vec<Command>) {
     let ArrayElement { edge_flag, fog_coord, index, tex_coords, normal, secondary_color, color, vertex } = element;
-    ops.extend(edge_flag.map(|flag| Op::EdgeFlag { flag }));
-    ops.extend(fog_coord.map(|coordinate| Op::FogCoord { coordinate }));
-    ops.extend(index.map(|index| Op::Index { index }));
-    ops.extend(tex_coords.into_iter().map(|(unit, coordinates)| match unit {
-        0 => Op::TexCoord { coordinates },
-        _ => Op::MultiTexCoord { target: GL_TEXTURE0.wrapping_add(unit), coordinates },
-    }));
-    ops.extend(normal.map(|normal| Op::Normal { normal }));
-    ops.extend(secondary_color.map(|color| Op::SecondaryColor { color }));
-    ops.extend(color.map(|color| Op::Color { color }));
-    ops.extend(vertex.map(|position| Op::Vertex { position }));
+    let mut add = |op: Option<Op>| ops.extend(op.map(Command::Vertex));
+    add(edge_flag.map(|flag| Op::EdgeFlag { flag }));
+    add(fog_coord.map(|coordinate| Op::FogCoord { coordinate }));
+    add(index.map(|index| Op::Index { index }));
+    for (unit, coordinates) in tex_coords {
+        add(Some(match unit {
+            0 => Op::TexCoord { coordinates },
+            _ => Op::MultiTexCoord { target: GL_TEXTURE0.wrapping_add(unit), coordinates },
+        }));
+    }
+    add(normal.map(|normal| Op::Normal { normal }));
+    add(secondary_color.map(|color| Op::SecondaryColor { color }));
+    add(color.map(|color| Op::Color { color }));
+    add(vertex.map(|position| Op::Vertex { position }));
 }
 
-/// Records array elements as the vertices they stand for. Returns whether the command is to be carried out as well.
-#[track_caller]
-fn record_elements(
-    cx: &mut Context,
-    name: &'static str,
-    mode: Option<GLenum>,
-    elements: impl Iterator<Item = i32>,
-) -> bool {
-    let mut ops = Vec::new();
-    ops.extend(mode.map(|mode| Op::glBegin { mode }));
+/// Adds the attributes and vertices of array elements.
+fn elements_ops(cx: &mut Context, elements: impl Iterator<Item = i32>, ops: &mut Vec<Command>) -> Outcome {
     for index in elements {
-        match cx.engine.array_element_values(index) {
-            Ok(element) if ops.try_reserve(16).is_ok() => element_ops(element, &mut ops),
-            Ok(_) => return cx.fail(name, crate::error::out_of_memory("no memory left for the display list")),
-            Err(error) => return cx.fail(name, error),
-        }
+        let element = cx.engine.array_element_values(index)?;
+        ops.try_reserve(16).map_err(|_| no_memory())?;
+        element_ops(element, ops);
     }
-    ops.extend(mode.map(|_| Op::glEnd {}));
-    ops.into_iter().fold(true, |_, op| cx.record(name, op))
+    Ok(())
+}
+
+/// Adds a primitive of array elements as a Begin/End pair.
+fn pair_ops(cx: &mut Context, mode: GLenum, elements: impl Iterator<Item = i32>, ops: &mut Vec<Command>) -> Outcome {
+    ops.push(Command::Vertex(Op::glBegin { mode }));
+    elements_ops(cx, elements, ops)?;
+    ops.push(Command::Vertex(Op::glEnd {}));
+    Ok(())
+}
+
+fn no_memory() -> GlError {
+    out_of_memory("no memory left for the display list; the command is not in it")
+}
+
+/// Adds a command that is wrong to the open list: its error belongs to its execution, apart from one of memory. Returns
+/// whether the command is to be carried out as well.
+#[track_caller]
+fn record_failed(cx: &mut Context, name: &'static str, inside: bool, error: GlError) -> bool {
+    if error.code == GL_OUT_OF_MEMORY {
+        return cx.fail(name, error);
+    }
+    cx.record(name, Command::Failed(Box::new(FailedCommand { name, inside, error })))
 }
 
 #[track_caller]
 pub(crate) fn array_element(cx: &mut Context, name: &'static str, i: i32) {
-    if cx.flags.recording() && !record_elements(cx, name, None, std::iter::once(i)) {
-        return;
+    if cx.flags.recording() {
+        let mut ops = Vec::new();
+        let go_on = match elements_ops(cx, std::iter::once(i), &mut ops) {
+            Ok(()) => ops.into_iter().fold(cx.executes(), |_, op| cx.record(name, op)),
+            Err(error) => record_failed(cx, name, true, error),
+        };
+        if !go_on {
+            return;
+        }
     }
     let result = cx.engine.array_element(i);
     cx.record_result(name, result)
 }
 
-/// A draw: recorded as its vertices, or carried out. `indices` yields the elements for the record.
+/// A draw: recorded as one command with the primitives that `pairs` adds, or carried out, or both.
 #[track_caller]
 fn draw(
     cx: &mut Context,
     name: &'static str,
-    (mode, count): (GLenum, i32),
-    indices: impl FnOnce(&mut Context) -> Outcome<Vec<i32>>,
-    run: impl FnOnce(&mut Context) -> Outcome,
+    pairs: impl FnOnce(&mut Context, &mut Vec<Command>) -> Outcome,
+    run: impl FnOnce(&mut Engine) -> Outcome,
 ) {
     if cx.flags.recording() {
-        let elements = cx.engine.check_draw(mode, count).and_then(|_| indices(cx));
-        match elements {
-            Ok(elements) => {
-                if !record_elements(cx, name, Some(mode), elements.into_iter()) {
-                    return;
-                }
-            }
-            Err(error) => return cx.fail(name, error),
+        let mut ops = Vec::new();
+        let go_on = match pairs(cx, &mut ops) {
+            Ok(()) => cx.record(name, Command::Draw(Box::new(ListDraw { name, pairs: compile(ops).into() }))),
+            Err(error) => record_failed(cx, name, false, error),
+        };
+        if !go_on {
+            return;
         }
     }
-    outside(cx, name, run);
+    outside(cx, name, |cx| run(&mut cx.engine));
 }
 
-/// Consecutive elements.
-fn consecutive(first: i32, count: i32) -> Outcome<Vec<i32>> {
-    if first < 0 || first.checked_add(count).is_none() {
-        return Err(invalid_value(format!("first = {first}, count = {count}: there are no such elements")));
-    }
-    let mut all = Vec::new();
-    all.try_reserve_exact(super::param_counts::count(count))
-        .map_err(|_| crate::error::out_of_memory("no memory left for the display list"))?;
-    all.extend(first..first + count.max(0));
-    Ok(all)
+/// Adds a primitive of consecutive elements.
+fn consecutive(cx: &mut Context, mode: GLenum, first: i32, count: i32, ops: &mut Vec<Command>) -> Outcome {
+    cx.engine.check_draw(mode, count)?;
+    let count = cx.engine.elements_there(first, count);
+    let end = first.checked_add(count).filter(|_| first >= 0);
+    let no_such = || invalid_value(format!("first = {first}, count = {count}: there are no such elements"));
+    pair_ops(cx, mode, first..end.ok_or_else(no_such)?, ops)
+}
+
+/// Adds a primitive of the elements of an index list.
+fn listed(
+    cx: &mut Context,
+    (mode, count): (GLenum, i32),
+    type_: GLenum,
+    indices: &Indices<'_>,
+    ops: &mut Vec<Command>,
+) -> Outcome {
+    cx.engine.check_draw(mode, count)?;
+    let indices = cx.engine.element_indices(count, type_, indices)?;
+    pair_ops(cx, mode, indices.into_iter().map(u32::cast_signed), ops)
 }
 
 #[track_caller]
 pub(crate) fn draw_arrays(cx: &mut Context, name: &'static str, mode: GLenum, first: i32, count: i32) {
-    draw(
-        cx,
-        name,
-        (mode, count),
-        |cx| consecutive(first, cx.engine.elements_there(first, count)),
-        |cx| outcome(cx.engine.draw_arrays(mode, first, count)),
-    );
-}
-
-/// The elements of an index list, for a record.
-fn listed(cx: &mut Context, count: i32, type_: GLenum, indices: &Indices<'_>) -> Outcome<Vec<i32>> {
-    let indices = cx.engine.element_indices(count, type_, indices)?;
-    Ok(indices.into_iter().map(|i| i as i32).collect())
+    draw(cx, name, |cx, ops| consecutive(cx, mode, first, count, ops), |engine| engine.draw_arrays(mode, first, count));
 }
 
 #[track_caller]
@@ -208,9 +233,8 @@ pub(crate) fn draw_elements(
     draw(
         cx,
         name,
-        (mode, count),
-        |cx| listed(cx, count, type_, indices),
-        |cx| outcome(cx.engine.draw_elements(mode, count, type_, indices)),
+        |cx, ops| listed(cx, (mode, count), type_, indices, ops),
+        |engine| engine.draw_elements(mode, count, type_, indices),
     );
 }
 
@@ -226,15 +250,14 @@ pub(crate) fn draw_range_elements(
     type_: GLenum,
     indices: &Indices<'_>,
 ) {
-    if end < start {
-        return cx.fail(name, invalid_value(format!("end = {end} lies before start = {start}")));
-    }
     draw(
         cx,
         name,
-        (mode, count),
-        |cx| listed(cx, count, type_, indices),
-        |cx| outcome(cx.engine.draw_range_elements(mode, start, end, count, type_, indices)),
+        |cx, ops| {
+            Engine::check_range(start, end)?;
+            listed(cx, (mode, count), type_, indices, ops)
+        },
+        |engine| engine.draw_range_elements(mode, start, end, count, type_, indices),
     );
 }
 
@@ -247,17 +270,52 @@ pub(crate) fn multi_draw_arrays(
     count: &[i32],
     drawcount: i32,
 ) {
-    if drawcount < 0 {
-        return cx.fail(name, invalid_value(format!("drawcount = {drawcount} is negative")));
-    }
-    for (first, count) in first.iter().zip(count) {
-        draw_arrays(cx, name, mode, *first, *count);
-    }
+    draw(
+        cx,
+        name,
+        |cx, ops| {
+            cx.engine.check_multi_draw_arrays(mode, first, count, drawcount)?;
+            for (first, count) in first.iter().zip(count).filter(|(_, count)| **count > 0) {
+                consecutive(cx, mode, *first, *count, ops)?;
+            }
+            Ok(())
+        },
+        |engine| engine.multi_draw_arrays(mode, first, count, drawcount),
+    );
 }
 
-/// The result of an engine method in whatever shape it comes.
-fn outcome<R: super::errors::IntoOutcome>(result: R) -> Outcome<R::Value> {
-    result.outcome()
+#[track_caller]
+pub(crate) fn multi_draw_elements(
+    cx: &mut Context,
+    name: &'static str,
+    mode: GLenum,
+    count: &[i32],
+    type_: GLenum,
+    lists: &[Indices<'_>],
+    drawcount: i32,
+) {
+    if cx.flags.tracing() {
+        let arguments: [(&str, &dyn Show); 5] = [
+            ("mode", &Enumerant(mode)),
+            ("count", &count),
+            ("type", &Enumerant(type_)),
+            ("indices", &lists),
+            ("drawcount", &drawcount),
+        ];
+        cx.trace(name, &arguments);
+    }
+    draw(
+        cx,
+        name,
+        |cx, ops| {
+            cx.engine.check_multi_draw_elements(mode, count, type_, lists, drawcount)?;
+            for (count, list) in count.iter().zip(lists).filter(|(count, _)| **count > 0) {
+                listed(cx, (mode, *count), type_, list, ops)?;
+            }
+            Ok(())
+        },
+        |engine| engine.multi_draw_elements(mode, count, type_, lists, drawcount),
+    );
 }
 
 impl Context {
@@ -272,23 +330,9 @@ impl Context {
         type_: GLenum,
         indices: &(impl IndexLists + ?Sized),
     ) {
-        let name = "glMultiDrawElements";
-        let lists = indices.lists();
-        if self.flags.tracing() {
-            self.trace(
-                name,
-                &[("count", &count.slice()), ("type", &super::show::Enumerant(type_)), ("indices", &lists)],
-            );
-        }
-        for (count, indices) in count.slice().iter().zip(&lists) {
-            let needed = super::param_counts::indices(*count, type_);
-            match indices {
-                Indices::Bytes(bytes) if bytes.len() < needed => {
-                    return self.short(name, "indices", needed, bytes.len(), "bytes");
-                }
-                _ => draw_elements(self, name, mode, *count, type_, indices),
-            }
-        }
+        let count = count.slice();
+        let drawcount = i32::try_from(count.len()).unwrap_or(i32::MAX);
+        multi_draw_elements(self, "glMultiDrawElements", mode, count, type_, &indices.lists(), drawcount);
     }
 
     /// Selects render, selection or feedback mode and returns what the mode that ends has written: hits or values, -1 if
@@ -300,7 +344,7 @@ impl Context {
     pub fn render_mode(&mut self, mode: GLenum) -> i32 {
         let name = "glRenderMode";
         if self.flags.tracing() {
-            self.trace(name, &[("mode", &super::show::Enumerant(mode))]);
+            self.trace(name, &[("mode", &Enumerant(mode))]);
         }
         outside(self, name, |cx| cx.engine.render_mode(mode))
     }
@@ -312,7 +356,7 @@ impl Context {
     pub fn feedback_buffer(&mut self, size: i32, type_: GLenum) {
         let name = "glFeedbackBuffer";
         if self.flags.tracing() {
-            self.trace(name, &[("size", &size), ("type", &super::show::Enumerant(type_))]);
+            self.trace(name, &[("size", &size), ("type", &Enumerant(type_))]);
         }
         outside(self, name, |cx| cx.engine.feedback_buffer(size, type_))
     }
@@ -347,10 +391,7 @@ impl Context {
     pub fn map_buffer(&mut self, target: GLenum, access: GLenum) -> Option<&mut [u8]> {
         let name = "glMapBuffer";
         if self.flags.tracing() {
-            self.trace(
-                name,
-                &[("target", &super::show::Enumerant(target)), ("access", &super::show::Enumerant(access))],
-            );
+            self.trace(name, &[("target", &Enumerant(target)), ("access", &Enumerant(access))]);
         }
         if self.engine.inside_begin_end() {
             return self.refuse_inside(name);

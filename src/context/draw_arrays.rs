@@ -6,6 +6,7 @@ use super::begin_end::check_mode;
 use super::buffer_objects::Buffers;
 use super::draw_source::Drawing;
 use super::engine::Engine;
+use super::errors::too_short;
 use super::fetch::Sources;
 use super::pixels_arg::{ArrayData, Indices, index_size};
 use crate::enums::*;
@@ -56,7 +57,10 @@ fn index_list<'a>(
     let short =
         |there: usize| invalid_operation(format!("{count} indices take {len} bytes, but only {there} are there"));
     match indices {
-        Indices::Bytes(bytes) => Ok(IndexList { bytes: bytes.get(..len).ok_or_else(|| short(bytes.len()))?, size }),
+        Indices::Bytes(bytes) => {
+            let bytes = bytes.get(..len).ok_or_else(|| too_short("indices", len, bytes.len(), "bytes"))?;
+            Ok(IndexList { bytes, size })
+        }
         Indices::Offset(offset) => {
             let Some(buffer) = buffers.get(arrays.element_buffer) else {
                 return match len {
@@ -188,10 +192,86 @@ impl Engine {
         type_: GLenum,
         indices: &Indices<'_>,
     ) -> Outcome {
+        Self::check_range(start, end)?;
+        self.draw_elements(mode, count, type_, indices)
+    }
+
+    /// The range of DrawRangeElements.
+    pub(crate) fn check_range(start: u32, end: u32) -> Outcome {
         if end < start {
             return Err(invalid_value(format!("end = {end} lies before start = {start}")));
         }
-        self.draw_elements(mode, count, type_, indices)
+        Ok(())
+    }
+
+    /// The checks of a draw of several primitives, all of them before the first is drawn.
+    fn check_multi_draw(&mut self, mode: GLenum, counts: &[i32], drawcount: i32) -> Outcome {
+        self.check_draw(mode, 0)?;
+        if drawcount < 0 {
+            return Err(invalid_value(format!("drawcount = {drawcount} is negative")));
+        }
+        if counts.len() < drawcount.unsigned_abs() as usize {
+            return Err(too_short("count", drawcount.unsigned_abs() as usize, counts.len(), "values"));
+        }
+        match counts.iter().position(|count| *count < 0) {
+            Some(i) => Err(invalid_value(format!("count[{i}] = {} is negative; nothing is drawn", counts[i]))),
+            None => Ok(()),
+        }
+    }
+
+    pub(crate) fn check_multi_draw_arrays(
+        &mut self,
+        mode: GLenum,
+        first: &[i32],
+        count: &[i32],
+        drawcount: i32,
+    ) -> Outcome {
+        self.check_multi_draw(mode, count, drawcount)?;
+        if first.len() < count.len() {
+            return Err(too_short("first", count.len(), first.len(), "values"));
+        }
+        match first.iter().zip(count).position(|(first, count)| *first < 0 && *count > 0) {
+            Some(i) => Err(invalid_value(format!("first[{i}] = {} is negative; nothing is drawn", first[i]))),
+            None => Ok(()),
+        }
+    }
+
+    pub(crate) fn multi_draw_arrays(&mut self, mode: GLenum, first: &[i32], count: &[i32], drawcount: i32) -> Outcome {
+        self.check_multi_draw_arrays(mode, first, count, drawcount)?;
+        let primitives = first.iter().zip(count).filter(|(_, count)| **count > 0);
+        primitives.into_iter().try_for_each(|(first, count)| self.draw_arrays(mode, *first, *count))
+    }
+
+    pub(crate) fn check_multi_draw_elements(
+        &mut self,
+        mode: GLenum,
+        count: &[i32],
+        type_: GLenum,
+        lists: &[Indices<'_>],
+        drawcount: i32,
+    ) -> Outcome {
+        self.check_multi_draw(mode, count, drawcount)?;
+        index_list(&self.client.arrays, &self.buffers, 0, type_, &Indices::Offset(0))?;
+        if lists.len() < count.len() {
+            return Err(too_short("indices", count.len(), lists.len(), "lists"));
+        }
+        for (count, list) in count.iter().zip(lists) {
+            index_list(&self.client.arrays, &self.buffers, *count, type_, list)?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn multi_draw_elements(
+        &mut self,
+        mode: GLenum,
+        count: &[i32],
+        type_: GLenum,
+        lists: &[Indices<'_>],
+        drawcount: i32,
+    ) -> Outcome {
+        self.check_multi_draw_elements(mode, count, type_, lists, drawcount)?;
+        let primitives = count.iter().zip(lists).filter(|(count, _)| **count > 0);
+        primitives.into_iter().try_for_each(|(count, list)| self.draw_elements(mode, *count, type_, list))
     }
 
     /// The indices of `DrawElements` as numbers, for a display list.

@@ -114,6 +114,9 @@ impl Engine {
         if *flag != on {
             *flag = on;
             self.dirty.add(stale);
+            if cap == GL_COLOR_MATERIAL {
+                self.track_color();
+            }
         }
         Ok(())
     }

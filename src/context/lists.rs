@@ -4,7 +4,7 @@
 
 use super::list_compile::compile;
 use super::list_vertices::ListVertices;
-use super::recorder::{Command, List, OpenList, Other};
+use super::recorder::{Command, FailedCommand, List, ListDraw, OpenList, Other};
 use super::{Context, param_counts};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
@@ -60,7 +60,12 @@ impl Context {
             return self.fail(name, out_of_memory("no memory left for the display list; the command is not in it"));
         }
         open.commands.push(op.into());
-        open.mode == GL_COMPILE_AND_EXECUTE
+        self.executes()
+    }
+
+    /// Whether the open list is carried out as well.
+    pub(crate) fn executes(&self) -> bool {
+        self.recorder.open.as_ref().is_none_or(|open| open.mode == GL_COMPILE_AND_EXECUTE)
     }
 
     pub(crate) fn open_list(&mut self, list: u32, mode: GLenum) -> Outcome {
@@ -187,6 +192,8 @@ impl Command {
             Command::Vertex(op) => op.run(cx),
             Command::VertexArray(vertices) => run_vertices(cx, vertices),
             Command::Other(other) => other.run(cx),
+            Command::Draw(draw) => run_draw(cx, draw),
+            Command::Failed(failed) => run_failed(cx, failed),
             Command::Call(_) | Command::Calls(_) => {}
         }
     }
@@ -218,6 +225,29 @@ fn run_vertices(cx: &mut Context, vertices: &ListVertices) {
         return vertices.commands(|op| op.run(cx));
     }
     engine.draw_list_vertices(vertices);
+}
+
+/// Carries a draw from arrays out.
+#[track_caller]
+fn run_draw(cx: &mut Context, draw: &ListDraw) {
+    if cx.engine.inside_begin_end() {
+        return cx.refuse_inside(draw.name);
+    }
+    let current = cx.engine.state.current;
+    for command in &draw.pairs {
+        command.run(cx);
+    }
+    cx.engine.state.current = current;
+    cx.engine.track_color();
+}
+
+/// Raises the error of a command that was wrong when it was recorded.
+#[track_caller]
+fn run_failed(cx: &mut Context, failed: &FailedCommand) {
+    if !failed.inside && cx.engine.inside_begin_end() {
+        return cx.refuse_inside(failed.name);
+    }
+    cx.fail(failed.name, failed.error.clone())
 }
 
 #[cfg(test)]

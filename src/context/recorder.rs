@@ -6,6 +6,7 @@ use super::list_names::Names;
 use super::list_vertices::ListVertices;
 use super::table::ops::{evaluators, fragment, imaging, lighting, lists, pixels, raster, texture, transform, vertex};
 use crate::enums::GLenum;
+use crate::error::GlError;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -20,8 +21,33 @@ pub(crate) enum Command {
     Call(u32),
     /// Calls of lists by offsets from the list base.
     Calls(Box<[u32]>),
+    /// A draw from arrays, with what the arrays held.
+    Draw(Box<ListDraw>),
+    /// A command that was wrong when it was recorded.
+    Failed(Box<FailedCommand>),
     /// Everything else.
     Other(Box<Other>),
+}
+
+/// A draw from arrays (section 2.8). It is one command: it is refused between Begin and End, and it leaves the current
+/// values as they were.
+#[derive(Clone, Debug)]
+pub(crate) struct ListDraw {
+    /// The command's name in C.
+    pub(crate) name: &'static str,
+    /// Its primitives as Begin/End pairs.
+    pub(crate) pairs: Box<[Command]>,
+}
+
+/// A command whose arguments are lost, because they were wrong. Its error belongs to its execution (section 5.4).
+#[derive(Clone, Debug)]
+pub(crate) struct FailedCommand {
+    /// The command's name in C.
+    pub(crate) name: &'static str,
+    /// Whether it may stand between Begin and End.
+    pub(crate) inside: bool,
+    /// What was wrong.
+    pub(crate) error: GlError,
 }
 
 macro_rules! others {

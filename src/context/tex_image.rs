@@ -98,9 +98,6 @@ impl Request {
                 return Err(invalid_value(format!("a {label} of {extent}; it must not be negative")));
             }
         }
-        if target == Target::Cube && self.size[0] != self.size[1] {
-            return Err(invalid_value("the faces of a cube map are square: width and height must be equal"));
-        }
         if self.format.base == BaseFormat::Depth && matches!(target, Target::D3 | Target::Cube) {
             return Err(invalid_operation("depth textures are 1D, 2D or rectangle textures"));
         }
@@ -122,6 +119,9 @@ impl Request {
                     most + border
                 )));
             }
+        }
+        if target == Target::Cube && self.size[0] != self.size[1] {
+            return Err(invalid_value("the faces of a cube map are square: width and height must be equal"));
         }
         let texels: u64 = size.iter().map(|n| u64::from(*n)).product();
         if texels > MAX_IMAGE_TEXELS {

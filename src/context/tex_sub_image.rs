@@ -3,7 +3,10 @@
 
 use super::Pixels;
 use super::engine::Engine;
+use super::errors::too_short;
+use super::param_counts;
 use super::tex_image::{Place, Request, client_image, dimensions_of, place};
+use super::textures::not_negative;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_operation, invalid_value};
 use crate::pixels::imaging::ColorImage;
@@ -316,14 +319,12 @@ impl Engine {
         if border == 1 {
             return Err(invalid_operation("a border of 1; S3TC images have none"));
         }
-        if image_size < 0 {
-            return Err(invalid_value(format!("an image size of {image_size}; it must not be negative")));
-        }
+        not_negative("the image size", image_size)?;
         let request = Request { place, level, size: [width, height, 1], border, format };
         let Some(level) = self.admit(&request)? else { return Ok(()) };
         let size = [width.unsigned_abs(), height.unsigned_abs()];
-        let blocks = blocks_of(data, image_size);
-        let image = Image::from_blocks(format, size, blocks)?;
+        check_image_size(format, size, image_size)?;
+        let image = Image::from_blocks(format, size, blocks_of(data, image_size)?)?;
         self.put_image(place, level, Arc::new(image))
     }
 
@@ -354,7 +355,8 @@ impl Engine {
         image.check_region(offset, size)?;
         image.check_block_region(offset, size)?;
         drop(image);
-        let blocks = blocks_of(data, image_size);
+        check_image_size(given, [width.unsigned_abs(), height.unsigned_abs()], image_size)?;
+        let blocks = blocks_of(data, image_size)?;
         self.write_image(place, level, |image, _| image.write_blocks(offset, size, blocks))
     }
 
@@ -431,10 +433,22 @@ fn no_blocks(target: GLenum, dimensions: usize, format: GLenum) -> Outcome {
     )))
 }
 
-/// The blocks of a command, cut to the size that it names. Without memory there are none.
-fn blocks_of<'a>(data: &'a Pixels<'_>, image_size: i32) -> &'a [u8] {
-    let bytes = data.bytes().unwrap_or(&[]);
-    bytes.get(..image_size.max(0) as usize).unwrap_or(bytes)
+/// INVALID_VALUE unless the size that a command names is that of its blocks.
+fn check_image_size(format: &InternalFormat, [width, height]: [u32; 2], image_size: i32) -> Outcome {
+    let Some(kind) = format.s3tc else { return Ok(()) };
+    let need = kind.image_bytes(width, height);
+    if usize::try_from(image_size) == Ok(need) {
+        return Ok(());
+    }
+    Err(invalid_value(format!(
+        "an image size of {image_size} bytes; {width} x {height} texels are {need} bytes in this format"
+    )))
+}
+
+/// The blocks of a command, as many bytes as it names.
+fn blocks_of<'a>(data: &'a Pixels<'_>, image_size: i32) -> Outcome<&'a [u8]> {
+    let (bytes, needed) = (data.bytes().unwrap_or(&[]), param_counts::count(image_size));
+    bytes.get(..needed).ok_or_else(|| too_short("data", needed, bytes.len(), "bytes"))
 }
 
 fn not_proxy(place: Place) -> Outcome<Place> {

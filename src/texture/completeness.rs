@@ -72,8 +72,8 @@ impl fmt::Display for Incomplete {
         match self {
             Self::Levels { base, max } => write!(
                 f,
-                "GL_TEXTURE_BASE_LEVEL is {base} and GL_TEXTURE_MAX_LEVEL is {max}; the base level must exist and must \
-                 not be above the last one"
+                "GL_TEXTURE_BASE_LEVEL is {base} and GL_TEXTURE_MAX_LEVEL is {max}; the base level must exist and, for a \
+                 filter that uses mipmaps, must not be above the last one"
             ),
             Self::NoBase { face, level, others: 0 } => {
                 write!(f, "there is no image at level {level}{}; specify one with glTexImage", of(face))
@@ -122,7 +122,10 @@ impl TextureObject {
         let p = &self.parameters;
         let levels = Incomplete::Levels { base: p.base_level, max: p.max_level };
         let base = match usize::try_from(p.base_level) {
-            Ok(base) if base < MAX_TEXTURE_LEVELS && p.base_level <= p.max_level => base,
+            // The last level counts only for a filter that uses mipmaps (section 3.8.10).
+            Ok(base) if base < MAX_TEXTURE_LEVELS && (p.base_level <= p.max_level || !p.min_filter.has_mipmaps()) => {
+                base
+            }
             _ => return Err(levels),
         };
         let first = self.base_image(0, base)?;
@@ -229,5 +232,9 @@ mod tests {
         assert_eq!(limited.complete(), Ok(()));
         limited.parameters.base_level = 2;
         assert_eq!(limited.complete(), Err(Incomplete::Levels { base: 2, max: 1 }));
+        limited.parameters.min_filter = TextureFilter::Linear;
+        assert!(matches!(limited.complete(), Err(Incomplete::NoBase { level: 2, .. })));
+        (limited.parameters.base_level, limited.parameters.max_level) = (1, 0);
+        assert_eq!(limited.complete(), Ok(()), "the base level alone is read");
     }
 }

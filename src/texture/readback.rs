@@ -42,18 +42,29 @@ impl Image {
         if self.is_null() && self.border == 0 {
             return Ok(());
         }
+        // A luminance is packed as the sum of R, G and B; it is red alone once the others are 0.
+        let base = match self.base {
+            BaseFormat::Rgb if pixel.format.is_luminance() => BaseFormat::Luminance,
+            BaseFormat::Rgba if pixel.format.is_luminance() => BaseFormat::LuminanceAlpha,
+            base => base,
+        };
         let first = self.first();
         for z in 0..size[2] {
             for y in 0..size[1] {
                 let start = self.index(first[0], first[1] + y, first[2] + z);
-                self.pack_row(&mut target, [0, y as usize, z as usize], start..start + w as usize);
+                self.pack_row(&mut target, base, [0, y as usize, z as usize], start..start + w as usize);
             }
         }
         Ok(())
     }
 
-    fn pack_row(&self, target: &mut ClientTarget<'_>, at: [usize; 3], texels: std::ops::Range<usize>) {
-        let base = self.base;
+    fn pack_row(
+        &self,
+        target: &mut ClientTarget<'_>,
+        base: BaseFormat,
+        at: [usize; 3],
+        texels: std::ops::Range<usize>,
+    ) {
         match self.own_texels() {
             Texels::Rgba8(t) => {
                 let row = t.get(texels).unwrap_or(&[]);

@@ -67,7 +67,28 @@ const SCRIPTS: &[Script] = &[
         cx.enable(0x1234);
         cx.pop_matrix();
     }),
+    ("a draw from arrays leaves the current values", |cx| {
+        cx.color3f(0.25, 0.5, 0.75);
+        arrays(cx, 60);
+        cx.draw_arrays(GL_TRIANGLES, 0, 60);
+        cx.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, &[0u8, 1, 2]);
+    }),
+    ("an array element sets the current values", |cx| {
+        arrays(cx, 3);
+        cx.array_element(2);
+    }),
 ];
+
+/// Arrays of small triangles with colours.
+fn arrays(cx: &mut Context, n: u8) {
+    let corner = |i: u8| [[-0.5f32, -0.5], [0.5, -0.5], [0.0, 0.5]][usize::from(i % 3)];
+    let positions: Vec<[f32; 2]> = (0..n).map(corner).collect();
+    let colors: Vec<[u8; 4]> = (0..n).map(|i| [255, i, 0, 255]).collect();
+    cx.vertex_pointer(2, GL_FLOAT, 0, &positions);
+    cx.color_pointer(4, GL_UNSIGNED_BYTE, 0, &colors);
+    cx.enable_client_state(GL_VERTEX_ARRAY);
+    cx.enable_client_state(GL_COLOR_ARRAY);
+}
 
 /// What a script can have changed, as text.
 fn state(cx: &mut Context) -> Vec<String> {
@@ -251,4 +272,121 @@ fn a_list_keeps_an_image_as_it_was_compiled() {
     cx.get_tex_image(GL_TEXTURE_2D, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, &mut back);
     assert_eq!(back, [10, 20, 30, 40]);
     assert_eq!(cx.check(), Ok(()));
+}
+
+fn picture(cx: &mut Context) -> Vec<u8> {
+    let mut bytes = vec![0; 16 * 16 * 4];
+    cx.read_pixels(0, 0, 16, 16, GL_RGBA, GL_UNSIGNED_BYTE, &mut bytes);
+    bytes
+}
+
+/// Draws from arrays, short ones and ones that a list keeps as an array of vertices.
+const DRAWS: &[Script] = &[
+    ("DrawArrays", |cx| cx.draw_arrays(GL_TRIANGLES, 0, 3)),
+    ("a long DrawArrays", |cx| cx.draw_arrays(GL_TRIANGLES, 0, 60)),
+    ("DrawElements", |cx| cx.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, &[2u8, 1, 0])),
+    ("DrawRangeElements", |cx| cx.draw_range_elements(GL_TRIANGLES, 0, 2, 3, GL_UNSIGNED_SHORT, &[2u16, 1, 0])),
+    ("MultiDrawArrays", |cx| cx.multi_draw_arrays(GL_TRIANGLES, &[0, 3, 0], &[3, 0, 57], 3)),
+    ("MultiDrawElements", |cx| {
+        cx.multi_draw_elements(GL_TRIANGLES, &[3, 0], GL_UNSIGNED_INT, &[[0u32, 1, 2], [0; 3]]);
+    }),
+];
+
+#[test]
+fn a_draw_in_a_list_is_one_command_that_begin_refuses() {
+    let mut alone = Context::new(16, 16);
+    let triangle = |cx: &mut Context, between: &dyn Fn(&mut Context)| {
+        cx.color3f(0.0, 0.0, 1.0);
+        cx.begin(GL_TRIANGLES);
+        cx.vertex2f(-1.0, -1.0);
+        between(cx);
+        cx.vertex2f(1.0, -1.0);
+        cx.vertex2f(1.0, 1.0);
+        cx.end();
+    };
+    triangle(&mut alone, &|_| {});
+    let want = picture(&mut alone);
+    for (name, draw) in DRAWS {
+        for mode in [GL_COMPILE, GL_COMPILE_AND_EXECUTE] {
+            let mut direct = Context::new(16, 16);
+            arrays(&mut direct, 60);
+            draw(&mut direct);
+            let mut cx = Context::new(16, 16);
+            arrays(&mut cx, 60);
+            cx.new_list(1, mode);
+            draw(&mut cx);
+            cx.end_list();
+            if mode == GL_COMPILE {
+                cx.call_list(1);
+            }
+            assert_eq!(cx.get_error(), GL_NO_ERROR, "{name}");
+            assert_eq!(picture(&mut cx), picture(&mut direct), "{name}");
+            assert_ne!(picture(&mut cx), vec![0; 16 * 16 * 4], "{name} draws");
+            cx.clear(GL_COLOR_BUFFER_BIT);
+            triangle(&mut cx, &|cx| cx.call_list(1));
+            assert_eq!(cx.get_error(), GL_INVALID_OPERATION, "{name}");
+            assert_eq!(cx.get_error(), GL_NO_ERROR, "{name}: the outer primitive is still open");
+            assert_eq!(picture(&mut cx), want, "{name} draws nothing and closes nothing");
+        }
+    }
+}
+
+/// Commands that are wrong, each with its error.
+const WRONG: &[(&str, GLenum, fn(&mut Context))] = &[
+    ("DrawArrays: mode", GL_INVALID_ENUM, |cx| cx.draw_arrays(99, 0, 3)),
+    ("DrawArrays: count", GL_INVALID_VALUE, |cx| cx.draw_arrays(GL_TRIANGLES, 0, -1)),
+    ("DrawArrays: first", GL_INVALID_VALUE, |cx| cx.draw_arrays(GL_TRIANGLES, -1, 3)),
+    ("DrawElements: type", GL_INVALID_ENUM, |cx| cx.draw_elements(GL_TRIANGLES, 3, GL_FLOAT, &[0u8; 3])),
+    ("DrawElements: count", GL_INVALID_VALUE, |cx| cx.draw_elements(GL_TRIANGLES, -3, GL_UNSIGNED_BYTE, &[0u8; 3])),
+    ("DrawElements: memory", GL_INVALID_VALUE, |cx| {
+        cx.draw_elements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, &[0u8; 2]);
+    }),
+    ("DrawElements: mode before memory", GL_INVALID_ENUM, |cx| {
+        cx.draw_elements(99, 3, GL_UNSIGNED_BYTE, &[0u8; 2]);
+    }),
+    ("DrawRangeElements", GL_INVALID_VALUE, |cx| {
+        cx.draw_range_elements(GL_TRIANGLES, 2, 1, 3, GL_UNSIGNED_BYTE, &[0u8; 3]);
+    }),
+    ("MultiDrawArrays: mode", GL_INVALID_ENUM, |cx| cx.multi_draw_arrays(99, &[0], &[0], 1)),
+    ("MultiDrawArrays: drawcount", GL_INVALID_VALUE, |cx| cx.multi_draw_arrays(GL_TRIANGLES, &[0], &[3], -1)),
+    ("MultiDrawArrays: a count", GL_INVALID_VALUE, |cx| {
+        cx.multi_draw_arrays(GL_TRIANGLES, &[0, 0], &[3, -1], 2);
+    }),
+    ("MultiDrawArrays: a first", GL_INVALID_VALUE, |cx| {
+        cx.multi_draw_arrays(GL_TRIANGLES, &[0, -1], &[3, 3], 2);
+    }),
+    ("MultiDrawArrays: memory", GL_INVALID_VALUE, |cx| cx.multi_draw_arrays(GL_TRIANGLES, &[0], &[3, 3], 2)),
+    ("MultiDrawElements: type", GL_INVALID_ENUM, |cx| {
+        cx.multi_draw_elements(GL_TRIANGLES, &[3], GL_FLOAT, &[[0u8; 3]]);
+    }),
+    ("MultiDrawElements: a count", GL_INVALID_VALUE, |cx| {
+        cx.multi_draw_elements(GL_TRIANGLES, &[3, -1], GL_UNSIGNED_BYTE, &[[0u8, 1, 2], [0, 1, 2]]);
+    }),
+    ("MultiDrawElements: memory", GL_INVALID_VALUE, |cx| {
+        cx.multi_draw_elements(GL_TRIANGLES, &[3, 4], GL_UNSIGNED_BYTE, &[[0u8, 1, 2], [0, 1, 2]]);
+    }),
+    ("ArrayElement", GL_INVALID_VALUE, |cx| cx.array_element(-1)),
+    ("CallLists: type", GL_INVALID_ENUM, |cx| cx.call_lists(1, GL_DOUBLE, &[0u8; 8])),
+    ("CallLists: n", GL_INVALID_VALUE, |cx| cx.call_lists(-1, GL_UNSIGNED_BYTE, &[0u8; 8])),
+];
+
+#[test]
+fn a_wrong_draw_draws_nothing_and_in_a_list_its_error_is_that_of_the_call() {
+    for (name, error, command) in WRONG {
+        let mut cx = Context::new(16, 16);
+        arrays(&mut cx, 3);
+        command(&mut cx);
+        assert_eq!(cx.get_error(), *error, "{name}");
+        cx.new_list(1, GL_COMPILE);
+        command(&mut cx);
+        assert_eq!(cx.get_error(), GL_NO_ERROR, "{name}: compiled");
+        cx.end_list();
+        cx.call_list(1);
+        assert_eq!(cx.get_error(), *error, "{name}: called");
+        cx.new_list(2, GL_COMPILE_AND_EXECUTE);
+        command(&mut cx);
+        cx.end_list();
+        assert_eq!(cx.get_error(), *error, "{name}: compiled and carried out");
+        assert_eq!(picture(&mut cx), vec![0; 16 * 16 * 4], "{name} draws nothing");
+    }
 }

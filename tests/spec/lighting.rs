@@ -6,7 +6,7 @@ use crate::oracle::matrix::M4;
 use crate::oracle::scene::Scene;
 use crate::support::compare::{EDGES, Figures, compare};
 use crate::support::scenes::ball;
-use crate::support::{Random, get_f, get_i, no_error, raises};
+use crate::support::{Random, get_f, get_i, no_error, pixels, raises};
 use fixedgl::Context;
 use fixedgl::enums::*;
 
@@ -179,4 +179,176 @@ fn light_positions_move_with_the_matrix() {
     cx.get_lightfv(GL_LIGHT2, GL_SPOT_DIRECTION, &mut v);
     crate::oracle::assert_near(&v.map(f64::from)[..3], &[0.0, 0.0, -1.0], 1e-6);
     no_error(&mut cx);
+}
+
+const TRACKED: [f32; 4] = [0.25, 0.5, 0.75, 0.125];
+const OTHER: [f32; 4] = [0.5, 0.125, 0.25, 1.0];
+
+fn front(cx: &mut Context, pname: GLenum) -> [f32; 4] {
+    let mut v = [0f32; 4];
+    cx.get_materialfv(GL_FRONT, pname, &mut v);
+    v
+}
+
+/// What is done while the current colour is [`TRACKED`], and what the front's diffuse colour is then and after Disable.
+type Tracking = (&'static str, fn(&mut Context), [f32; 4]);
+
+const TRACKING: &[Tracking] = &[
+    ("Enable", |cx| cx.enable(GL_COLOR_MATERIAL), TRACKED),
+    ("Enable, Color", |cx| (cx.enable(GL_COLOR_MATERIAL), cx.color4fv(&OTHER)).1, OTHER),
+    ("Enable, Material", |cx| (cx.enable(GL_COLOR_MATERIAL), cx.materialfv(GL_FRONT, GL_DIFFUSE, &OTHER)).1, TRACKED),
+    (
+        "Enable for the back only",
+        |cx| (cx.color_material(GL_BACK, GL_DIFFUSE), cx.enable(GL_COLOR_MATERIAL)).1,
+        [0.8, 0.8, 0.8, 1.0],
+    ),
+    (
+        "ColorMaterial goes on to another property",
+        |cx| {
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.color_material(GL_FRONT_AND_BACK, GL_EMISSION);
+            cx.color4fv(&OTHER);
+        },
+        TRACKED,
+    ),
+    (
+        "ColorMaterial comes to this property",
+        |cx| {
+            cx.color_material(GL_FRONT, GL_SPECULAR);
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.color_material(GL_FRONT, GL_DIFFUSE);
+        },
+        TRACKED,
+    ),
+    (
+        "PopAttrib of the enable",
+        |cx| {
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.push_attrib(GL_ENABLE_BIT);
+            cx.disable(GL_COLOR_MATERIAL);
+            cx.color4fv(&OTHER);
+            cx.pop_attrib();
+        },
+        OTHER,
+    ),
+    (
+        "PopAttrib of lighting",
+        |cx| {
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.push_attrib(GL_LIGHTING_BIT);
+            cx.color4fv(&OTHER);
+            cx.pop_attrib();
+        },
+        OTHER,
+    ),
+    (
+        "PopAttrib of lighting with tracking off",
+        |cx| {
+            cx.push_attrib(GL_LIGHTING_BIT);
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.pop_attrib();
+        },
+        [0.8, 0.8, 0.8, 1.0],
+    ),
+    (
+        "PopAttrib of the current values",
+        |cx| {
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.push_attrib(GL_CURRENT_BIT);
+            cx.color4fv(&OTHER);
+            cx.pop_attrib();
+        },
+        TRACKED,
+    ),
+    (
+        "PopAttrib of a group that has nothing to do with it",
+        |cx| {
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.push_attrib(GL_FOG_BIT);
+            cx.color4fv(&OTHER);
+            cx.pop_attrib();
+        },
+        OTHER,
+    ),
+    (
+        "ArrayElement",
+        |cx| {
+            cx.color_pointer(4, GL_FLOAT, 0, &OTHER);
+            cx.enable_client_state(GL_COLOR_ARRAY);
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.array_element(0);
+            cx.disable_client_state(GL_COLOR_ARRAY);
+        },
+        OTHER,
+    ),
+    (
+        "a draw from arrays leaves the current colour",
+        |cx| {
+            cx.color_pointer(4, GL_FLOAT, 0, &[OTHER; 3]);
+            cx.vertex_pointer(2, GL_FLOAT, 0, &[[0f32; 2]; 3]);
+            cx.enable_client_state(GL_COLOR_ARRAY);
+            cx.enable_client_state(GL_VERTEX_ARRAY);
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.draw_arrays(GL_TRIANGLES, 0, 3);
+            cx.disable_client_state(GL_COLOR_ARRAY);
+            cx.disable_client_state(GL_VERTEX_ARRAY);
+        },
+        TRACKED,
+    ),
+    (
+        "colours of a short Begin/End",
+        |cx| {
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.begin(GL_TRIANGLES);
+            cx.color4fv(&OTHER);
+            cx.vertex2f(0.0, 0.0);
+            cx.end();
+        },
+        OTHER,
+    ),
+    (
+        "colours of a long Begin/End",
+        |cx| {
+            cx.enable(GL_COLOR_MATERIAL);
+            cx.begin(GL_TRIANGLES);
+            for _ in 0..300 {
+                cx.color4fv(&OTHER);
+                cx.vertex2f(0.0, 0.0);
+            }
+            cx.end();
+        },
+        OTHER,
+    ),
+];
+
+#[test]
+fn a_material_that_tracks_is_the_current_colour_at_once_and_stays_it_after_disable() {
+    for (name, change, want) in TRACKING {
+        for in_a_list in [false, true] {
+            let mut cx = Context::new(8, 8);
+            cx.color4fv(&TRACKED);
+            if in_a_list {
+                cx.new_list(1, GL_COMPILE);
+                change(&mut cx);
+                cx.end_list();
+                cx.call_list(1);
+            } else {
+                change(&mut cx);
+            }
+            no_error(&mut cx);
+            assert_eq!(front(&mut cx, GL_DIFFUSE), *want, "{name}, list: {in_a_list}");
+            cx.disable(GL_COLOR_MATERIAL);
+            // Light 0 from the viewer's side: ambient 0, so the colour is the diffuse one, its alpha too.
+            cx.color4f(1.0, 1.0, 1.0, 1.0);
+            cx.materialfv(GL_FRONT_AND_BACK, GL_EMISSION, &[0.0, 0.0, 0.0, 1.0]);
+            cx.materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, &[0.0, 0.0, 0.0, 1.0]);
+            cx.light_modelfv(GL_LIGHT_MODEL_AMBIENT, &[0.0; 4]);
+            cx.enable(GL_LIGHTING);
+            cx.enable(GL_LIGHT0);
+            cx.rectf(-1.0, -1.0, 1.0, 1.0);
+            let drawn = pixels(&mut cx, 8, 8)[9];
+            let want = want.map(|c| (c * 255.0).round() as u8);
+            assert_eq!(drawn, want, "{name}, list: {in_a_list}, drawn after Disable");
+        }
+    }
 }

@@ -356,3 +356,129 @@ fn nicest_blocks_are_nearer_and_the_hint_of_the_image_counts() {
         assert_eq!(errors(GL_FASTEST, GL_NICEST, at), fast, "the hint of TexImage counts");
     }
 }
+
+/// A pixel format and which of R, G, B, A its components are. A luminance is R: GetTexImage packs the groups of table 6.1
+/// and makes no sum (section 6.1.4).
+const READ_FORMATS: [(GLenum, &[usize]); 10] = [
+    (GL_RED, &[0]),
+    (GL_GREEN, &[1]),
+    (GL_BLUE, &[2]),
+    (GL_ALPHA, &[3]),
+    (GL_RGB, &[0, 1, 2]),
+    (GL_BGR, &[2, 1, 0]),
+    (GL_RGBA, &[0, 1, 2, 3]),
+    (GL_BGRA, &[2, 1, 0, 3]),
+    (GL_LUMINANCE, &[0]),
+    (GL_LUMINANCE_ALPHA, &[0, 3]),
+];
+
+#[test]
+fn every_base_format_is_read_back_in_every_format_by_table_6_1() {
+    // A base format in 8 and in 16 bits, and what (0.2, 0.4, 0.6, 0.8) is in table 6.1.
+    let bases: [([i32; 2], [f32; 4]); 6] = [
+        ([GL_ALPHA8, GL_ALPHA16].map(|f| f as i32), [0.0, 0.0, 0.0, 0.8]),
+        ([GL_LUMINANCE8, GL_LUMINANCE16].map(|f| f as i32), [0.2, 0.0, 0.0, 1.0]),
+        ([GL_LUMINANCE8_ALPHA8, GL_LUMINANCE16_ALPHA16].map(|f| f as i32), [0.2, 0.0, 0.0, 0.8]),
+        ([GL_INTENSITY8, GL_INTENSITY16].map(|f| f as i32), [0.2, 0.0, 0.0, 1.0]),
+        ([GL_RGB8, GL_RGB16].map(|f| f as i32), [0.2, 0.4, 0.6, 1.0]),
+        ([GL_RGBA8, GL_RGBA16].map(|f| f as i32), [0.2, 0.4, 0.6, 0.8]),
+    ];
+    let mut gl = Context::new(4, 4);
+    gl.pixel_storei(GL_PACK_ALIGNMENT, 1);
+    for (formats, group) in bases {
+        for internal in formats {
+            gl.tex_image_2d(GL_TEXTURE_2D, 0, internal, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &[51u8, 102, 153, 204]);
+            for (format, channels) in READ_FORMATS {
+                let mut bytes = [7u8; 4];
+                gl.get_tex_image(GL_TEXTURE_2D, 0, format, GL_UNSIGNED_BYTE, &mut bytes);
+                let mut floats = [7f32; 4];
+                gl.get_tex_image(GL_TEXTURE_2D, 0, format, GL_FLOAT, &mut floats);
+                assert_eq!(gl.get_error(), GL_NO_ERROR);
+                for (i, &channel) in channels.iter().enumerate() {
+                    let what = format!("{} as {}", name(internal as u32), name(format));
+                    assert_eq!(bytes[i], (group[channel] * 255.0).round() as u8, "{what}");
+                    assert!((floats[i] - group[channel]).abs() < 1e-6, "{what} {floats:?}");
+                }
+                assert_eq!((bytes.get(channels.len()), floats.get(channels.len())).0.unwrap_or(&7), &7);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_base_level_above_the_last_level_counts_only_for_mipmaps() {
+    for (filter, textured) in
+        [(GL_NEAREST, true), (GL_LINEAR, true), (GL_NEAREST_MIPMAP_NEAREST, false), (GL_LINEAR_MIPMAP_LINEAR, false)]
+    {
+        let mut gl = Context::new(4, 4);
+        gl.pixel_storei(GL_UNPACK_ALIGNMENT, 1);
+        for level in 0..4 {
+            let size = 8 >> level;
+            let texels = vec![40 * (level as u8 + 1); size * size];
+            gl.tex_image_2d(
+                GL_TEXTURE_2D,
+                level,
+                GL_LUMINANCE as i32,
+                size as i32,
+                size as i32,
+                0,
+                GL_LUMINANCE,
+                GL_UNSIGNED_BYTE,
+                &texels,
+            );
+        }
+        gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+        gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);
+        gl.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1);
+        gl.enable(GL_TEXTURE_2D);
+        gl.rectf(-1.0, -1.0, 1.0, 1.0);
+        let mut pixel = [0u8; 4];
+        gl.read_pixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &mut pixel);
+        assert_eq!(gl.get_error(), GL_NO_ERROR);
+        assert_eq!(pixel[0], if textured { 120 } else { 255 }, "{}", name(filter));
+    }
+}
+
+#[test]
+fn a_proxy_cube_map_that_is_not_square_is_no_error_and_has_no_size() {
+    let mut gl = Context::new(4, 4);
+    let ask = |gl: &mut Context, target: GLenum, width: i32, height: i32| {
+        gl.tex_image_2d(target, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, fixedgl::NULL);
+        gl.get_error()
+    };
+    assert_eq!(ask(&mut gl, GL_PROXY_TEXTURE_CUBE_MAP, 8, 8), GL_NO_ERROR);
+    assert_eq!(level(&mut gl, GL_PROXY_TEXTURE_CUBE_MAP, 0, GL_TEXTURE_WIDTH), 8);
+    assert_eq!(ask(&mut gl, GL_PROXY_TEXTURE_CUBE_MAP, 8, 4), GL_NO_ERROR);
+    for pname in [GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_RED_SIZE] {
+        assert_eq!(level(&mut gl, GL_PROXY_TEXTURE_CUBE_MAP, 0, pname), 0);
+    }
+    assert_eq!(ask(&mut gl, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 8, 4), GL_INVALID_VALUE);
+    assert_eq!(ask(&mut gl, GL_PROXY_TEXTURE_CUBE_MAP, 8, -1), GL_INVALID_VALUE);
+}
+
+#[test]
+fn the_size_of_compressed_data_is_checked_even_of_no_texels() {
+    let mut gl = Context::new(4, 4);
+    let (target, format) = (GL_TEXTURE_2D, GL_COMPRESSED_RGB_S3TC_DXT1_EXT);
+    let block = [0u8; 64];
+    // Size of the image data, width and height of the part, the error.
+    for (image_size, [width, height], error) in [
+        (0, [0, 0], GL_NO_ERROR),
+        (-1, [0, 0], GL_INVALID_VALUE),
+        (i32::MIN, [0, 0], GL_INVALID_VALUE),
+        (8, [0, 0], GL_INVALID_VALUE),
+        (-8, [4, 4], GL_INVALID_VALUE),
+        (8, [4, 4], GL_NO_ERROR),
+        (16, [4, 4], GL_INVALID_VALUE),
+        (0, [0, 4], GL_NO_ERROR),
+        (-4, [4, 0], GL_INVALID_VALUE),
+    ] {
+        let what = format!("{image_size} bytes of {width} x {height}");
+        gl.compressed_tex_image_2d(target, 0, format, 8, 8, 0, 32, &block[..32]);
+        assert_eq!(gl.get_error(), GL_NO_ERROR);
+        gl.compressed_tex_sub_image_2d(target, 0, 0, 0, width, height, format, image_size, &block);
+        assert_eq!(gl.get_error(), error, "{what}, a part");
+        gl.compressed_tex_image_2d(target, 1, format, width, height, 0, image_size, &block);
+        assert_eq!(gl.get_error(), error, "{what}, an image");
+    }
+}

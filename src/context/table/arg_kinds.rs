@@ -13,6 +13,7 @@ macro_rules! door_ty {
     (size) => { impl $crate::context::IntoSize };
     ([$t:ty; $n:literal]) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
     ((slice $t:ty : $($count:tt)*)) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
+    ((upto $t:ty : $($count:tt)*)) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
     ((out $t:ty : $($count:tt)*)) => { &mut (impl $crate::context::OutSlice<$t> + ?Sized) };
     ((rect $($size:expr),*)) => { impl Into<$crate::context::Pixels<'a>> };
     ((bytes $size:expr)) => { impl Into<$crate::context::Pixels<'a>> };
@@ -44,6 +45,9 @@ macro_rules! plain {
         $crate::context::InSlice::<$t>::slice($a)
     };
     ((slice $t:ty : $($count:tt)*), $a:ident) => {
+        $crate::context::InSlice::<$t>::slice($a)
+    };
+    ((upto $t:ty : $($count:tt)*), $a:ident) => {
         $crate::context::InSlice::<$t>::slice($a)
     };
     ((out $t:ty : $($count:tt)*), $a:ident) => {
@@ -119,6 +123,10 @@ macro_rules! checked {
             None => return $cx.short($name, stringify!($a), needed, $a.len(), "values"),
         }
     }};
+    // The engine checks how many there are, after the other arguments.
+    ((upto $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {
+        $a.get(..$crate::context::param_counts::$($count)*).unwrap_or($a)
+    };
     ((out $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {{
         let (needed, there) = ($crate::context::param_counts::$($count)*, $a.len());
         match $a.get_mut(..needed) {
@@ -158,15 +166,8 @@ macro_rules! checked {
         }
         bytes
     }};
-    ((indices $count:ident, $type:ident), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $crate::context::param_counts::indices($count, $type);
-        match &$a {
-            $crate::context::Indices::Bytes(bytes) if bytes.len() < needed => {
-                return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
-            }
-            _ => &$a,
-        }
-    }};
+    // The engine checks them after mode, count and type.
+    ((indices $count:ident, $type:ident), $cx:ident, $name:ident, $a:ident) => { &$a };
     (index_lists, $cx:ident, $name:ident, $a:ident) => { &$a[..] };
     ($k:tt, $cx:ident, $name:ident, $a:ident) => { $a };
 }

@@ -20,8 +20,8 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         list glDrawRangeElements | glDrawRangeElementsEXT draw_range_elements(mode: enum, start: uint, end: uint,
             count: i32, type_: enum, indices: (indices count, type_));
         /// Draws several primitives of consecutive elements (section 2.8).
-        list glMultiDrawArrays | glMultiDrawArraysEXT multi_draw_arrays(mode: enum, first: (slice i32: count(drawcount)),
-            count: (slice i32: count(drawcount)), drawcount: i32);
+        list glMultiDrawArrays | glMultiDrawArraysEXT multi_draw_arrays(mode: enum, first: (upto i32: count(drawcount)),
+            count: (upto i32: count(drawcount)), drawcount: i32);
     }
     now {
         /// Sets the array of vertices (section 2.8).
