@@ -42,6 +42,12 @@ constructors! {
     out_of_memory = GL_OUT_OF_MEMORY;
 }
 
+/// The error of memory that holds fewer values, bytes or the like than a command needs.
+#[cold]
+pub fn too_short(argument: &str, needed: usize, there: usize, unit: &str) -> GlError {
+    invalid_value(format!("`{argument}` must hold {needed} {unit}, but holds {there}: pass a longer slice"))
+}
+
 /// The value that an enumerant was found to stand for, or `INVALID_ENUM` with "... is not `what`".
 #[inline]
 pub fn known<T>(found: Option<T>, value: GLenum, what: &str) -> Outcome<T> {

@@ -21,6 +21,9 @@ macro_rules! argument {
     (enum, $s:ident, $i:ident) => {
         GL_TEXTURE0 + $s.unit
     };
+    (unit, $s:ident, $i:ident) => {
+        GL_TEXTURE0 + $s.unit
+    };
     (bool, $s:ident, $i:ident) => {
         ($s.float > 0.5) as u8
     };

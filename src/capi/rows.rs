@@ -11,6 +11,7 @@ use std::sync::Mutex;
 /// The type of an argument in C.
 macro_rules! c_ty {
     (enum) => { u32 };
+    (unit) => { u32 };
     (bits) => { u32 };
     (uint) => { u32 };
     (int) => { i32 };

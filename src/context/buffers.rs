@@ -5,7 +5,7 @@ use super::buffer_objects::Buffer;
 use super::engine::Engine;
 use super::{Pixels, Values};
 use crate::enums::*;
-use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
+use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory, too_short};
 
 fn range(buffer: &Buffer, offset: isize, size: isize) -> Outcome<std::ops::Range<usize>> {
     let there = buffer.data.len();
@@ -89,6 +89,9 @@ impl Engine {
         let size = usize::try_from(size)
             .map_err(|_| invalid_value(format!("a size of {size} bytes; a size is not negative")))?;
         let buffer = self.bound_buffer(target)?;
+        if let Some(bytes) = data.bytes().filter(|bytes| bytes.len() < size) {
+            return Err(too_short("data", size, bytes.len(), "bytes"));
+        }
         let mut store = std::mem::take(&mut buffer.data);
         if store.capacity() < size {
             let mut larger = Vec::new();
@@ -112,8 +115,10 @@ impl Engine {
         if buffer.mapped {
             return Err(mapped());
         }
-        if let (Some(to), Some(from)) = (buffer.data.get_mut(range), data.bytes()) {
-            to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+        let from = data.bytes().unwrap_or_default();
+        let from = from.get(..range.len()).ok_or_else(|| too_short("data", range.len(), from.len(), "bytes"))?;
+        if let Some(to) = buffer.data.get_mut(range) {
+            to.copy_from_slice(from);
         }
         Ok(())
     }
@@ -130,8 +135,10 @@ impl Engine {
         if buffer.mapped {
             return Err(mapped());
         }
+        let there = data.len();
+        let to = data.get_mut(..range.len()).ok_or_else(|| too_short("data", range.len(), there, "bytes"))?;
         if let Some(from) = buffer.data.get(range) {
-            data.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+            to.copy_from_slice(from);
         }
         Ok(())
     }

@@ -192,8 +192,8 @@ impl Engine {
         let target = table_target(target)?;
         let by = &mut self.state.pixel.imaging.table_scale[target as usize];
         match pname {
-            GL_COLOR_TABLE_SCALE => by.scale = params.vector4(),
-            GL_COLOR_TABLE_BIAS => by.bias = params.vector4(),
+            GL_COLOR_TABLE_SCALE => by.scale = params.numbers()?,
+            GL_COLOR_TABLE_BIAS => by.bias = params.numbers()?,
             _ => return Err(not_one(pname, "GL_COLOR_TABLE_SCALE or GL_COLOR_TABLE_BIAS")),
         }
         Ok(())

@@ -80,12 +80,7 @@ pub(crate) fn call_list(cx: &mut Context, name: &'static str, list: u32) {
 pub(crate) fn call_lists(cx: &mut Context, name: &'static str, n: i32, type_: GLenum, lists: &Pixels<'_>) {
     let offsets = match super::lists::offsets(n, type_, lists.bytes().unwrap_or_default()) {
         Ok(offsets) => offsets,
-        Err(error) => {
-            if !cx.flags.recording() || record_failed(cx, name, true, error.clone()) {
-                cx.fail(name, error)
-            }
-            return;
-        }
+        Err(error) => return refuse(cx, name, error),
     };
     if cx.flags.recording() && !cx.record(name, Command::Calls(offsets.clone())) {
         return;
@@ -155,6 +150,15 @@ fn record_failed(cx: &mut Context, name: &'static str, inside: bool, error: GlEr
         return cx.fail(name, error);
     }
     cx.record(name, Command::Failed(Box::new(FailedCommand { name, inside, error })))
+}
+
+/// The error of a command that may stand between Begin and End, now or when the open list is called.
+#[cold]
+#[track_caller]
+pub(crate) fn refuse(cx: &mut Context, name: &'static str, error: GlError) {
+    if !cx.flags.recording() || record_failed(cx, name, true, error.clone()) {
+        cx.fail(name, error)
+    }
 }
 
 #[track_caller]

@@ -155,12 +155,12 @@ impl Engine {
         let filter = &mut self.state.pixel.imaging.filters[target as usize];
         match pname {
             GL_CONVOLUTION_BORDER_MODE => {
-                let mode = params.enumerant();
+                let mode = params.enumerant()?;
                 filter.border = known(ConvolutionBorder::from_gl(mode), mode, "a border mode such as GL_REDUCE")?;
             }
-            GL_CONVOLUTION_BORDER_COLOR => filter.border_color = params.color(),
-            GL_CONVOLUTION_FILTER_SCALE => filter.scale.scale = params.vector4(),
-            GL_CONVOLUTION_FILTER_BIAS => filter.scale.bias = params.vector4(),
+            GL_CONVOLUTION_BORDER_COLOR => filter.border_color = params.color()?,
+            GL_CONVOLUTION_FILTER_SCALE => filter.scale.scale = params.numbers()?,
+            GL_CONVOLUTION_FILTER_BIAS => filter.scale.bias = params.numbers()?,
             _ => return Err(not_one(pname, "a parameter of convolution")),
         }
         Ok(())

@@ -124,6 +124,8 @@ impl Engine {
     pub(crate) fn is_enabled(&mut self, cap: GLenum) -> Outcome<bool> {
         match capability(&mut self.state, cap) {
             Some((flag, _)) => Ok(*flag),
+            // SampleCoverage sets it, not Enable.
+            None if cap == GL_SAMPLE_COVERAGE_INVERT => Ok(self.state.multisample.coverage_invert),
             None => self.client_capability(cap).ok_or_else(|| unknown(cap)),
         }
     }

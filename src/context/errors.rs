@@ -5,7 +5,7 @@
 use super::Context;
 use super::values::{FromState, Values};
 use crate::enums::*;
-use crate::error::{GlError, Outcome, code_name, invalid_value};
+use crate::error::{GlError, Outcome, code_name, too_short};
 use std::panic::Location;
 
 /// The first error since the last question, with its place.
@@ -86,12 +86,6 @@ macro_rules! plain_results {
     })* };
 }
 plain_results!(() bool i32 u32 &'static str);
-
-/// The error of memory that is too short.
-#[cold]
-pub(crate) fn too_short(argument: &str, needed: usize, there: usize, unit: &str) -> GlError {
-    invalid_value(format!("`{argument}` must hold {needed} {unit}, but holds {there}: pass a longer slice"))
-}
 
 /// Notes an error in the two places that keep it.
 #[cold]

@@ -335,5 +335,5 @@ fn check_points(count: u64) -> Outcome {
 }
 
 fn too_few(len: usize) -> crate::error::GlError {
-    invalid_operation(format!("{len} numbers are fewer than the orders and strides of the map span"))
+    invalid_value(format!("{len} numbers are fewer than the orders and strides of the map span"))
 }

@@ -127,7 +127,7 @@ impl Engine {
         self.state.accum.clear = [r, g, b, a].map(|v| v.max(-1.0).min(1.0));
     }
 
-    /// The framebuffer has one colour buffer, the front left one.
+    /// The framebuffer has one colour buffer: front and back are the same.
     pub(crate) fn draw_buffer(&mut self, buffer: GLenum) -> Outcome {
         let none = buffer == GL_NONE;
         let buffer = if none { ColorBufferName::None } else { one_colour_buffer(buffer)? };
@@ -142,13 +142,13 @@ impl Engine {
     }
 }
 
-/// The colour buffer of a name, which must mean the front left one, the only one there is.
+/// The colour buffer of a name, which must mean the only one there is.
 fn one_colour_buffer(buffer: GLenum) -> Outcome<ColorBufferName> {
     match ColorBufferName::from_gl(buffer) {
         None | Some(ColorBufferName::None) => Err(not_one(buffer, "the name of a colour buffer")),
         Some(name) if name.exists() => Ok(name),
         Some(name) => Err(invalid_operation(format!(
-            "there is no buffer {}: the framebuffer has one colour buffer, GL_FRONT_LEFT",
+            "there is no buffer {}: the framebuffer has one colour buffer, GL_FRONT_LEFT or GL_BACK_LEFT",
             name.name()
         ))),
     }

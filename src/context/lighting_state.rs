@@ -22,11 +22,19 @@ pub(crate) fn faces(face: GLenum) -> Outcome<Face> {
     known(Face::from_gl(face), face, "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK")
 }
 
-fn in_range(what: &str, value: f32, range: std::ops::RangeInclusive<f32>) -> Outcome {
+fn in_range(what: &str, value: f32, range: std::ops::RangeInclusive<f32>) -> Outcome<f32> {
     if range.contains(&value) {
-        return Ok(());
+        return Ok(value);
     }
     Err(invalid_value(format!("{what} of {value} is not in [{}, {}]", range.start(), range.end())))
+}
+
+/// What a Material command sets.
+#[derive(Clone, Copy)]
+enum MaterialChange {
+    Color(MaterialColor, [f32; 4]),
+    Shininess(f32),
+    Indexes([f32; 3]),
 }
 
 impl Engine {
@@ -38,32 +46,30 @@ impl Engine {
             params.vector_only("Light", pname)?;
         }
         let l = &mut self.state.lighting.lights[index];
-        let value = params.scalar();
         match pname {
-            GL_AMBIENT => l.ambient = params.color(),
-            GL_DIFFUSE => l.diffuse = params.color(),
-            GL_SPECULAR => l.specular = params.color(),
+            GL_AMBIENT => l.ambient = params.color()?,
+            GL_DIFFUSE => l.diffuse = params.color()?,
+            GL_SPECULAR => l.specular = params.color()?,
             GL_POSITION => {
-                let p = params.vector4().map(f64::from);
+                let p = params.numbers()?.map(f64::from);
                 l.position = (modelview * DVec4::from_array(p)).to_array();
             }
             GL_SPOT_DIRECTION => {
-                let [x, y, z, _] = params.vector4().map(f64::from);
+                let [x, y, z] = params.numbers()?.map(f64::from);
                 l.spot_direction = (DMat3::from_mat4(modelview) * DVec3::new(x, y, z)).to_array();
             }
             GL_SPOT_EXPONENT => {
-                in_range("a spot exponent", value, 0.0..=128.0)?;
-                l.spot_exponent = value;
+                l.spot_exponent = in_range("a spot exponent", params.scalar()?, 0.0..=128.0)?;
             }
             GL_SPOT_CUTOFF => {
-                if value != 180.0 {
-                    in_range("a spot cutoff that is not 180", value, 0.0..=90.0)?;
-                }
-                l.spot_cutoff = value;
+                l.spot_cutoff = match params.scalar()? {
+                    180.0 => 180.0,
+                    degrees => in_range("a spot cutoff that is not 180", degrees, 0.0..=90.0)?,
+                };
             }
             GL_CONSTANT_ATTENUATION | GL_LINEAR_ATTENUATION | GL_QUADRATIC_ATTENUATION => {
-                in_range("an attenuation", value, 0.0..=f32::MAX)?;
-                l.attenuation[(pname - GL_CONSTANT_ATTENUATION) as usize] = value;
+                l.attenuation[(pname - GL_CONSTANT_ATTENUATION) as usize] =
+                    in_range("an attenuation", params.scalar()?, 0.0..=f32::MAX)?;
             }
             _ => return Err(wrong_pname("Light", pname)),
         }
@@ -76,12 +82,12 @@ impl Engine {
         match pname {
             GL_LIGHT_MODEL_AMBIENT => {
                 params.vector_only("LightModel", pname)?;
-                model.ambient = params.color();
+                model.ambient = params.color()?;
             }
-            GL_LIGHT_MODEL_LOCAL_VIEWER => model.local_viewer = params.boolean(),
-            GL_LIGHT_MODEL_TWO_SIDE => model.two_side = params.boolean(),
+            GL_LIGHT_MODEL_LOCAL_VIEWER => model.local_viewer = params.boolean()?,
+            GL_LIGHT_MODEL_TWO_SIDE => model.two_side = params.boolean()?,
             GL_LIGHT_MODEL_COLOR_CONTROL => {
-                let value = params.enumerant();
+                let value = params.enumerant()?;
                 let what = "GL_SINGLE_COLOR or GL_SEPARATE_SPECULAR_COLOR";
                 model.color_control = known(ColorControl::from_gl(value), value, what)?;
             }
@@ -93,20 +99,25 @@ impl Engine {
 
     pub(crate) fn material(&mut self, face: GLenum, pname: GLenum, params: &Params) -> Outcome {
         let faces = faces(face)?;
-        let color = MaterialColor::from_gl(pname);
-        match pname {
-            GL_SHININESS => in_range("a shininess", params.scalar(), 0.0..=128.0)?,
-            GL_COLOR_INDEXES => params.vector_only("Material", pname)?,
-            _ if color.is_some() => params.vector_only("Material", pname)?,
+        let change = match (MaterialColor::from_gl(pname), pname) {
+            (Some(which), _) => {
+                params.vector_only("Material", pname)?;
+                MaterialChange::Color(which, params.color()?)
+            }
+            (None, GL_SHININESS) => MaterialChange::Shininess(in_range("a shininess", params.scalar()?, 0.0..=128.0)?),
+            (None, GL_COLOR_INDEXES) => {
+                params.vector_only("Material", pname)?;
+                MaterialChange::Indexes(params.numbers()?)
+            }
             _ => return Err(wrong_pname("Material", pname)),
-        }
+        };
         // Vertices that were issued before keep the material of their time.
         self.before_material_change();
         for material in chosen(&mut self.state.lighting.materials, faces) {
-            match color {
-                Some(color) => material.set_color(color, params.color()),
-                None if pname == GL_SHININESS => material.shininess = params.scalar(),
-                None => material.indexes = std::array::from_fn(|i| params.number(i)),
+            match change {
+                MaterialChange::Color(which, color) => material.set_color(which, color),
+                MaterialChange::Shininess(shininess) => material.shininess = shininess,
+                MaterialChange::Indexes(indexes) => material.indexes = indexes,
             }
         }
         self.track_color();

@@ -7,7 +7,7 @@ use super::list_vertices::ListVertices;
 use super::recorder::{Command, FailedCommand, List, ListDraw, OpenList, Other};
 use super::{Context, param_counts};
 use crate::enums::*;
-use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
+use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory, too_short};
 use crate::state::pixel::PixelStore;
 
 /// Depth of lists within lists (`MAX_LIST_NESTING`).
@@ -35,7 +35,9 @@ pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>
     if n < 0 {
         return Err(invalid_value(format!("n = {n} is negative")));
     }
-    let names = bytes.chunks_exact(size).take(param_counts::count(n));
+    let needed = param_counts::list_names(n, type_);
+    let bytes = bytes.get(..needed).ok_or_else(|| too_short("lists", needed, bytes.len(), "bytes"))?;
+    let names = bytes.chunks_exact(size);
     let mut all = Vec::new();
     all.try_reserve_exact(names.len()).map_err(|_| out_of_memory("no memory left for list names"))?;
     all.extend(names.map(|b| match (type_, b) {

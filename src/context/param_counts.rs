@@ -4,7 +4,7 @@
 
 use super::pixels_arg::index_size;
 use crate::enums::*;
-use crate::limits::MAX_EVAL_ORDER;
+use crate::limits::{MAX_EVAL_ORDER, MAX_PIXEL_MAP_TABLE};
 use crate::state::eval::{COMPONENTS, map1_kind, map2_kind};
 
 /// A count argument: a negative one counts nothing.
@@ -15,6 +15,11 @@ pub(crate) fn count(n: i32) -> usize {
 /// A size in bytes: a negative one counts nothing.
 pub(crate) fn size(n: impl TryInto<usize>) -> usize {
     n.try_into().unwrap_or(0)
+}
+
+/// A vector of four values.
+pub(crate) fn four() -> usize {
+    4
 }
 
 /// `Light`.
@@ -130,6 +135,11 @@ pub(crate) fn imaging_parameter(pname: GLenum) -> usize {
         GL_CONVOLUTION_BORDER_MODE => 1,
         _ => 0,
     }
+}
+
+/// Entries of a pixel map: those of a size that no map has are not looked at.
+pub(crate) fn pixel_map(size: i32) -> usize {
+    Some(count(size)).filter(|n| *n <= MAX_PIXEL_MAP_TABLE).unwrap_or(0)
 }
 
 /// Components of a control point of an evaluator map.

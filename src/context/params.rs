@@ -3,12 +3,14 @@
 //! parameter needs: an enumerant, a number, or colour components, which integer forms give as table 2.6 maps them.
 
 use crate::enums::GLenum;
-use crate::error::{GlError, Outcome, invalid_enum};
+use crate::error::{GlError, Outcome, invalid_enum, too_short};
 
-/// One to four numbers and which form of the command they came through.
+/// One to four numbers and which form of the command they came through. The program's memory may hold fewer than the
+/// parameter needs; that is an error when they are asked for, after the enumerants have been checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Params {
     bits: [u32; 4],
+    count: u8,
     integers: bool,
     scalar: bool,
 }
@@ -17,13 +19,13 @@ impl Params {
     /// From the form `f`.
     #[must_use]
     pub(crate) fn float(value: f32) -> Self {
-        Self { bits: [value.to_bits(), 0, 0, 0], integers: false, scalar: true }
+        Self { scalar: true, ..Self::floats(&[value]) }
     }
 
     /// From the form `i`.
     #[must_use]
     pub(crate) fn int(value: i32) -> Self {
-        Self { bits: [value as u32, 0, 0, 0], integers: true, scalar: true }
+        Self { scalar: true, ..Self::ints(&[value]) }
     }
 
     /// From the form `fv`; at most four values count.
@@ -45,11 +47,12 @@ impl Params {
     }
 
     fn vector<T: Copy>(values: &[T], integers: bool, bits: impl Fn(T) -> u32) -> Self {
-        let mut all = [0; 4];
+        let (mut all, mut count) = ([0; 4], 0);
         for (to, from) in all.iter_mut().zip(values) {
             *to = bits(*from);
+            count += 1;
         }
-        Self { bits: all, integers, scalar: false }
+        Self { bits: all, count, integers, scalar: false }
     }
 
     /// Whether the values are integers.
@@ -68,54 +71,43 @@ impl Params {
         invalid_enum(format!("{} takes several values: use gl{command}{v}", crate::enums::name(pname)))
     }
 
-    /// The first value as an enumerant (a float that holds one counts too).
-    #[must_use]
-    pub(crate) fn enumerant(&self) -> GLenum {
-        if self.integers { self.bits[0] } else { f32::from_bits(self.bits[0]) as i64 as u32 }
+    /// The first values as bits; INVALID_VALUE where there are fewer.
+    fn bits<const N: usize>(&self) -> Outcome<[u32; N]> {
+        let there = self.bits.get(..usize::from(self.count)).unwrap_or_default();
+        there.first_chunk().copied().ok_or_else(|| too_short("params", N, there.len(), "values"))
     }
 
-    /// The value `i` as a number.
-    #[must_use]
-    pub(crate) fn number(&self, i: usize) -> f32 {
-        let bits = self.bits[i & 3];
-        if self.integers { bits as i32 as f32 } else { f32::from_bits(bits) }
+    /// The first values as numbers: a position, a plane.
+    pub(crate) fn numbers<const N: usize>(&self) -> Outcome<[f32; N]> {
+        Ok(self.bits()?.map(|bits| if self.integers { bits as i32 as f32 } else { f32::from_bits(bits) }))
     }
 
     /// The first value as a number.
-    #[must_use]
-    pub(crate) fn scalar(&self) -> f32 {
-        self.number(0)
+    pub(crate) fn scalar(&self) -> Outcome<f32> {
+        self.numbers().map(|[value]| value)
     }
 
-    /// The four values as numbers: a position, a plane.
-    #[must_use]
-    pub(crate) fn vector4(&self) -> [f32; 4] {
-        std::array::from_fn(|i| self.number(i))
+    /// The first value as an enumerant (a float that holds one counts too).
+    pub(crate) fn enumerant(&self) -> Outcome<GLenum> {
+        let [bits] = self.bits()?;
+        Ok(if self.integers { bits } else { f32::from_bits(bits) as i64 as u32 })
     }
 
-    /// The value `i` as an integer; floats are rounded to the nearest.
-    #[must_use]
-    pub(crate) fn integer(&self, i: usize) -> i32 {
-        let bits = self.bits[i & 3];
-        if self.integers { bits as i32 } else { super::values::round_to_int(f64::from(f32::from_bits(bits))) }
+    /// The first value as an integer; floats are rounded to the nearest.
+    pub(crate) fn integer(&self) -> Outcome<i32> {
+        let [bits] = self.bits()?;
+        let rounded = || super::values::round_to_int(f64::from(f32::from_bits(bits)));
+        Ok(if self.integers { bits as i32 } else { rounded() })
     }
 
     /// The first value as a boolean.
-    #[must_use]
-    pub(crate) fn boolean(&self) -> bool {
-        self.number(0) != 0.0
+    pub(crate) fn boolean(&self) -> Outcome<bool> {
+        Ok(self.scalar()? != 0.0)
     }
 
-    /// The value `i` as a colour component: integers are mapped to [-1, 1], floats are taken as they are.
-    #[must_use]
-    pub(crate) fn component(&self, i: usize) -> f32 {
-        let bits = self.bits[i & 3];
-        if self.integers { super::convert::Component::unit(bits as i32) } else { f32::from_bits(bits) }
-    }
-
-    /// The four values as a colour.
-    #[must_use]
-    pub(crate) fn color(&self) -> [f32; 4] {
-        std::array::from_fn(|i| self.component(i))
+    /// The four values as a colour: integers are mapped to [-1, 1], floats are taken as they are.
+    pub(crate) fn color(&self) -> Outcome<[f32; 4]> {
+        let component = |bits: u32| super::convert::Component::unit(bits as i32);
+        Ok(self.bits()?.map(|bits| if self.integers { component(bits) } else { f32::from_bits(bits) }))
     }
 }

@@ -4,9 +4,10 @@
 use super::engine::Engine;
 use super::{Params, Pixels, Values};
 use crate::enums::*;
-use crate::error::{Outcome, invalid_value};
+use crate::error::{Outcome, invalid_value, too_short};
 use crate::pixels::{ClientImage, ClientTarget, PixelFormat, Transfer};
 use crate::state::pixel::PixelStore;
+use crate::state::pixel_maps::PixelMaps;
 use crate::state::raster::HintMode;
 use crate::texture::format::BlockFit;
 
@@ -21,14 +22,16 @@ impl Engine {
 
     pub(crate) fn pixel_transfer(&mut self, pname: GLenum, params: &Params) -> Outcome {
         if let Some(parameter) = self.state.pixel.imaging.parameter(pname) {
-            *parameter = params.scalar();
+            *parameter = params.scalar()?;
             return Ok(());
         }
         let transfer = &mut self.state.pixel.transfer;
-        if params.is_int() { transfer.set_i32(pname, params.integer(0)) } else { transfer.set(pname, params.scalar()) }
+        if params.is_int() { transfer.set_i32(pname, params.integer()?) } else { transfer.set(pname, params.scalar()?) }
     }
 
-    pub(crate) fn pixel_map(&mut self, map: GLenum, values: &[f32]) -> Outcome {
+    pub(crate) fn pixel_map(&mut self, map: GLenum, size: i32, values: &[f32]) -> Outcome {
+        let entries = PixelMaps::check(map, size)?;
+        let values = values.get(..entries).ok_or_else(|| too_short("values", entries, values.len(), "values"))?;
         self.state.pixel_maps.set(map, values)
     }
 

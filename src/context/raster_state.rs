@@ -5,7 +5,7 @@ use super::Params;
 use super::engine::Engine;
 use super::lighting_state::{chosen, faces};
 use crate::enums::*;
-use crate::error::{Outcome, invalid_enum, invalid_value};
+use crate::error::{Outcome, invalid_enum, invalid_value, too_short};
 use crate::limits::{MAX_CLIP_PLANES, MAX_VIEWPORT_DIM};
 use crate::num::clamp01;
 use crate::state::Dirty;
@@ -34,10 +34,10 @@ impl Engine {
     }
 
     pub(crate) fn point_parameter(&mut self, pname: GLenum, params: &Params) -> Outcome {
-        let value = params.scalar();
         let point = &mut self.state.point;
         match pname {
             GL_POINT_SIZE_MIN | GL_POINT_SIZE_MAX | GL_POINT_FADE_THRESHOLD_SIZE => {
+                let value = params.scalar()?;
                 if value.is_nan() || value < 0.0 {
                     return Err(invalid_value(format!("{} of {value}; it must not be negative", name(pname))));
                 }
@@ -49,7 +49,7 @@ impl Engine {
             }
             GL_POINT_DISTANCE_ATTENUATION => {
                 params.vector_only("PointParameter", pname)?;
-                point.distance_attenuation = std::array::from_fn(|i| params.number(i));
+                point.distance_attenuation = params.numbers()?;
             }
             _ => return Err(invalid_enum(format!("{} is not a point parameter", name(pname)))),
         }
@@ -136,8 +136,9 @@ impl Engine {
 
     /// The plane is kept in eye coordinates: times the inverse of the modelview matrix of now. Where that matrix has no
     /// inverse the plane becomes (0, 0, 0, 0), which everything is inside of.
-    pub(crate) fn clip_plane(&mut self, plane: GLenum, equation: &[f64; 4]) -> Outcome {
+    pub(crate) fn clip_plane(&mut self, plane: GLenum, equation: &[f64]) -> Outcome {
         let index = clip_plane_index(plane)?;
+        let equation = equation.first_chunk().ok_or_else(|| too_short("equation", 4, equation.len(), "values"))?;
         self.state.transform.clip_planes[index] = to_eye_plane(self.state.transform.modelview.top(), *equation);
         self.dirty.add(Dirty { vertex: true, fragment: false, raster: false });
         Ok(())
@@ -147,28 +148,28 @@ impl Engine {
         let fog = &mut self.state.fog;
         match pname {
             GL_FOG_MODE => {
-                let mode = params.enumerant();
+                let mode = params.enumerant()?;
                 fog.mode = one_of(FogMode::from_gl(mode), mode, FogMode::ALL.map(FogMode::name), "fog mode")?;
             }
             GL_FOG_COORD_SRC => {
-                let source = params.enumerant();
+                let source = params.enumerant()?;
                 let names = FogCoordSource::ALL.map(FogCoordSource::name);
                 fog.coord_source = one_of(FogCoordSource::from_gl(source), source, names, "fog coordinate source")?;
             }
             GL_FOG_COLOR => {
                 params.vector_only("Fog", pname)?;
-                fog.color = params.color().map(clamp01);
+                fog.color = params.color()?.map(clamp01);
             }
             GL_FOG_DENSITY => {
-                let density = params.scalar();
+                let density = params.scalar()?;
                 if density.is_nan() || density < 0.0 {
                     return Err(invalid_value(format!("a fog density of {density}; it must not be negative")));
                 }
                 fog.density = density;
             }
-            GL_FOG_START => fog.start = params.scalar(),
-            GL_FOG_END => fog.end = params.scalar(),
-            GL_FOG_INDEX => fog.index = params.scalar(),
+            GL_FOG_START => fog.start = params.scalar()?,
+            GL_FOG_END => fog.end = params.scalar()?,
+            GL_FOG_INDEX => fog.index = params.scalar()?,
             _ => return Err(invalid_enum(format!("{} is not a fog parameter", name(pname)))),
         }
         self.dirty = Dirty::ALL;

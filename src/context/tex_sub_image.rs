@@ -3,12 +3,11 @@
 
 use super::Pixels;
 use super::engine::Engine;
-use super::errors::too_short;
 use super::param_counts;
 use super::tex_image::{Place, Request, client_image, dimensions_of, place};
 use super::textures::not_negative;
 use crate::enums::*;
-use crate::error::{Outcome, invalid_operation, invalid_value};
+use crate::error::{Outcome, invalid_operation, invalid_value, too_short};
 use crate::pixels::imaging::ColorImage;
 use crate::pixels::{PixelFormat, Purpose, Transfer};
 use crate::texture::format::{BaseFormat, InternalFormat};

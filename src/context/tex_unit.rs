@@ -40,7 +40,7 @@ impl Engine {
         let env = &mut self.state.texture.units[self.state.texture.active].env;
         match target {
             GL_TEXTURE_ENV => set_env(env, pname, params)?,
-            GL_TEXTURE_FILTER_CONTROL if pname == GL_TEXTURE_LOD_BIAS => env.lod_bias = params.scalar(),
+            GL_TEXTURE_FILTER_CONTROL if pname == GL_TEXTURE_LOD_BIAS => env.lod_bias = params.scalar()?,
             GL_TEXTURE_FILTER_CONTROL => return Err(wrong("GL_TEXTURE_LOD_BIAS, the parameter of that target", pname)),
             _ => return Err(wrong("GL_TEXTURE_ENV or GL_TEXTURE_FILTER_CONTROL", target)),
         }
@@ -54,18 +54,18 @@ impl Engine {
         let generation = &mut self.state.texture.units[self.state.texture.active].generation[index];
         match pname {
             GL_TEXTURE_GEN_MODE => {
-                let mode = params.enumerant();
+                let mode = params.enumerant()?;
                 generation.mode = TexGenMode::from_gl(mode)
                     .filter(|mode| index < mode.coordinates())
                     .ok_or_else(|| invalid_enum(format!("{} cannot generate {}", name(mode), name(coord))))?;
             }
             GL_OBJECT_PLANE => {
                 params.vector_only("TexGen", pname)?;
-                generation.object_plane = params.vector4().map(f64::from);
+                generation.object_plane = params.numbers()?.map(f64::from);
             }
             GL_EYE_PLANE => {
                 params.vector_only("TexGen", pname)?;
-                generation.eye_plane = to_eye_plane(&modelview, params.vector4().map(f64::from));
+                generation.eye_plane = to_eye_plane(&modelview, params.numbers()?.map(f64::from));
             }
             _ => return Err(wrong("GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE or GL_EYE_PLANE", pname)),
         }
@@ -91,20 +91,22 @@ fn find(table: &[[GLenum; 2]; 3], pname: GLenum) -> Option<(usize, usize)> {
 }
 
 fn set_env(env: &mut Env, pname: GLenum, params: &Params) -> Outcome {
-    let value = params.enumerant();
     match pname {
-        GL_TEXTURE_ENV_MODE => env.mode = known(EnvMode::from_gl(value), value, "a texture environment mode")?,
+        GL_TEXTURE_ENV_MODE => {
+            let value = params.enumerant()?;
+            env.mode = known(EnvMode::from_gl(value), value, "a texture environment mode")?;
+        }
         GL_TEXTURE_ENV_COLOR => {
             params.vector_only("TexEnv", pname)?;
-            env.color = params.color().map(clamp01);
+            env.color = params.color()?.map(clamp01);
         }
         GL_COMBINE_RGB | GL_COMBINE_ALPHA => {
-            let alpha = pname == GL_COMBINE_ALPHA;
+            let (value, alpha) = (params.enumerant()?, pname == GL_COMBINE_ALPHA);
             let function = CombineFunction::from_gl(value).filter(|function| !alpha || !function.is_dot());
             env.combine[usize::from(alpha)] = known(function, value, "a combine function")?;
         }
         GL_RGB_SCALE | GL_ALPHA_SCALE => {
-            let scale = params.scalar();
+            let scale = params.scalar()?;
             if ![1.0, 2.0, 4.0].contains(&scale) {
                 return Err(invalid_value(format!("a scale of {scale}; it is 1, 2 or 4")));
             }
@@ -112,8 +114,10 @@ fn set_env(env: &mut Env, pname: GLenum, params: &Params) -> Outcome {
         }
         _ => {
             if let Some((i, k)) = find(&SOURCES, pname) {
+                let value = params.enumerant()?;
                 env.source[i][k] = known(CombineSource::from_gl(value), value, "a combine source")?;
             } else if let Some((i, k)) = find(&OPERANDS, pname) {
+                let value = params.enumerant()?;
                 let operand = CombineOperand::from_gl(value).filter(|operand| k == 0 || operand.is_alpha());
                 env.operand[i][k] = known(operand, value, "a combine operand for this argument")?;
             } else {

@@ -138,10 +138,10 @@ pub(crate) fn not_negative(what: &str, n: i32) -> Outcome {
 }
 
 fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &Params) -> Outcome {
-    let value = params.enumerant();
     let rectangle = target == Target::Rectangle;
     match pname {
         GL_TEXTURE_WRAP_S | GL_TEXTURE_WRAP_T | GL_TEXTURE_WRAP_R => {
+            let value = params.enumerant()?;
             let mode = WrapMode::from_gl(value).filter(|mode| !rectangle || wrap::row(*mode).on_rectangles);
             let mode = known(mode, value, "a wrap mode of this target")?;
             let coordinate = match pname {
@@ -152,23 +152,25 @@ fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &
             p.wrap[coordinate] = mode;
         }
         GL_TEXTURE_MIN_FILTER => {
+            let value = params.enumerant()?;
             let filter = TextureFilter::from_gl(value).filter(|filter| !rectangle || !filter.has_mipmaps());
             p.min_filter = known(filter, value, "a minification filter of this target")?;
         }
         GL_TEXTURE_MAG_FILTER => {
+            let value = params.enumerant()?;
             let filter = TextureFilter::from_gl(value).filter(|filter| !filter.has_mipmaps());
             p.mag_filter = known(filter, value, "a magnification filter (GL_NEAREST or GL_LINEAR)")?;
         }
         GL_TEXTURE_BORDER_COLOR => {
             params.vector_only("TexParameter", pname)?;
-            p.border_color = params.color().map(clamp01);
+            p.border_color = params.color()?.map(clamp01);
         }
-        GL_TEXTURE_PRIORITY => p.priority = clamp01(params.scalar()),
-        GL_TEXTURE_MIN_LOD => p.min_lod = params.scalar(),
-        GL_TEXTURE_MAX_LOD => p.max_lod = params.scalar(),
-        GL_TEXTURE_LOD_BIAS => p.lod_bias = params.scalar(),
+        GL_TEXTURE_PRIORITY => p.priority = clamp01(params.scalar()?),
+        GL_TEXTURE_MIN_LOD => p.min_lod = params.scalar()?,
+        GL_TEXTURE_MAX_LOD => p.max_lod = params.scalar()?,
+        GL_TEXTURE_LOD_BIAS => p.lod_bias = params.scalar()?,
         GL_TEXTURE_BASE_LEVEL | GL_TEXTURE_MAX_LEVEL => {
-            let level = params.integer(0);
+            let level = params.integer()?;
             not_negative("a level", level)?;
             if pname == GL_TEXTURE_MAX_LEVEL {
                 p.max_level = level;
@@ -179,24 +181,27 @@ fn set_parameter(p: &mut TexParameters, target: Target, pname: GLenum, params: &
             }
         }
         GL_TEXTURE_MAX_ANISOTROPY_EXT => {
-            let degree = params.scalar();
+            let degree = params.scalar()?;
             if degree.is_nan() || degree < 1.0 {
                 return Err(invalid_value(format!("a degree of anisotropy of {degree}; it is at least 1")));
             }
             p.max_anisotropy = degree.min(crate::limits::MAX_TEXTURE_MAX_ANISOTROPY);
         }
         GL_DEPTH_TEXTURE_MODE => {
+            let value = params.enumerant()?;
             let mode = DepthTextureMode::from_gl(value);
             p.depth_mode = known(mode, value, "GL_LUMINANCE, GL_INTENSITY or GL_ALPHA")?;
         }
         GL_TEXTURE_COMPARE_MODE => {
+            let value = params.enumerant()?;
             let mode = TextureCompareMode::from_gl(value);
             p.compare_mode = known(mode, value, "GL_NONE or GL_COMPARE_R_TO_TEXTURE")?;
         }
         GL_TEXTURE_COMPARE_FUNC => {
+            let value = params.enumerant()?;
             p.compare_func = known(CompareFunc::from_gl(value), value, "a comparison function")?;
         }
-        GL_GENERATE_MIPMAP => p.generate_mipmap = params.boolean(),
+        GL_GENERATE_MIPMAP => p.generate_mipmap = params.boolean()?,
         _ => return Err(wrong("a texture parameter", pname)),
     }
     Ok(())

@@ -105,14 +105,13 @@ gl_enum! {
 }
 
 impl ColorBufferName {
-    /// Whether it names the one colour buffer that there is, the front left one.
+    /// Whether it names the one colour buffer that there is. By the letter only the front left one exists, but programs
+    /// that were made for two buffers name the back one, so that is another name of it.
     #[must_use]
     pub const fn exists(self) -> bool {
         match self {
-            Self::Front | Self::FrontLeft | Self::Left | Self::FrontAndBack => true,
+            Self::Front | Self::FrontLeft | Self::Left | Self::FrontAndBack | Self::Back | Self::BackLeft => true,
             Self::None
-            | Self::Back
-            | Self::BackLeft
             | Self::Right
             | Self::FrontRight
             | Self::BackRight

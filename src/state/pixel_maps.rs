@@ -74,19 +74,25 @@ impl PixelMaps {
         slot < 2
     }
 
-    /// PixelMapfv: entries of a colour map are clamped to [0, 1]; a map that is looked up by an index must have 2^n of them.
+    /// How many entries a map is given; INVALID_ENUM where there is no such map, INVALID_VALUE for a size that it does not
+    /// have. A map that is looked up by an index has a power of two of them.
+    pub fn check(map: GLenum, size: i32) -> Outcome<usize> {
+        let slot = Self::slot(map)?;
+        let entries = usize::try_from(size).ok().filter(|n| (1..=MAX_PIXEL_MAP_TABLE).contains(n));
+        match entries {
+            None => Err(invalid_value(format!("{size} entries; a map has 1 to {MAX_PIXEL_MAP_TABLE}"))),
+            Some(entries) if slot < 6 && !entries.is_power_of_two() => Err(invalid_value(format!(
+                "{entries} entries for {}; a map of indices has a power of two of them",
+                name(map)
+            ))),
+            Some(entries) => Ok(entries),
+        }
+    }
+
+    /// PixelMapfv: entries of a colour map are clamped to [0, 1].
     pub fn set(&mut self, map: GLenum, values: &[f32]) -> Outcome {
         let slot = Self::slot(map)?;
-        if values.is_empty() || values.len() > MAX_PIXEL_MAP_TABLE {
-            return Err(invalid_value(format!("{} entries; a map has 1 to {MAX_PIXEL_MAP_TABLE}", values.len())));
-        }
-        if slot < 6 && !values.len().is_power_of_two() {
-            return Err(invalid_value(format!(
-                "{} entries for {}; a map of indices has a power of two of them",
-                values.len(),
-                name(map)
-            )));
-        }
+        Self::check(map, i32::try_from(values.len()).unwrap_or(i32::MAX))?;
         let limit = |v: f32| if Self::yields_indices(slot) { v } else { clamp01(v) };
         *self.table_mut(slot) = values.iter().map(|&v| limit(v)).collect();
         Ok(())

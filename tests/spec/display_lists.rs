@@ -331,8 +331,10 @@ fn a_draw_in_a_list_is_one_command_that_begin_refuses() {
     }
 }
 
-/// Commands that are wrong, each with its error.
-const WRONG: &[(&str, GLenum, fn(&mut Context))] = &[
+/// A command that is wrong, and its error.
+type Wrong = (&'static str, GLenum, fn(&mut Context));
+
+const WRONG: &[Wrong] = &[
     ("DrawArrays: mode", GL_INVALID_ENUM, |cx| cx.draw_arrays(99, 0, 3)),
     ("DrawArrays: count", GL_INVALID_VALUE, |cx| cx.draw_arrays(GL_TRIANGLES, 0, -1)),
     ("DrawArrays: first", GL_INVALID_VALUE, |cx| cx.draw_arrays(GL_TRIANGLES, -1, 3)),

@@ -129,3 +129,83 @@ fn absurd_input_never_ends_the_program() {
     cx.viewport(0, 0, 4, 4);
     assert_eq!(pixels(&mut cx, 4, 4).len(), 16);
 }
+
+/// A scalar form with the name of a parameter that is a vector.
+type Scalar = (&'static str, fn(&mut Context));
+
+const SCALARS: &[Scalar] = &[
+    ("TexParameterf", |cx| cx.tex_parameterf(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 0.5)),
+    ("TexParameteri", |cx| cx.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, 1)),
+    ("TexEnvf", |cx| cx.tex_envf(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, 0.5)),
+    ("TexEnvi", |cx| cx.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, 1)),
+    ("TexGenf object", |cx| cx.tex_genf(GL_S, GL_OBJECT_PLANE, 0.5)),
+    ("TexGeni eye", |cx| cx.tex_geni(GL_T, GL_EYE_PLANE, 1)),
+    ("TexGend eye", |cx| cx.tex_gend(GL_S, GL_EYE_PLANE, 0.5)),
+    ("Materialf ambient", |cx| cx.materialf(GL_FRONT, GL_AMBIENT, 0.5)),
+    ("Materialf diffuse", |cx| cx.materialf(GL_FRONT, GL_DIFFUSE, 0.5)),
+    ("Materiali specular", |cx| cx.materiali(GL_FRONT, GL_SPECULAR, 1)),
+    ("Materialf emission", |cx| cx.materialf(GL_FRONT, GL_EMISSION, 0.5)),
+    ("Materialf two", |cx| cx.materialf(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, 0.5)),
+    ("Materialf indexes", |cx| cx.materialf(GL_FRONT, GL_COLOR_INDEXES, 0.5)),
+    ("LightModelf", |cx| cx.light_modelf(GL_LIGHT_MODEL_AMBIENT, 0.5)),
+    ("LightModeli", |cx| cx.light_modeli(GL_LIGHT_MODEL_AMBIENT, 1)),
+    ("Lightf ambient", |cx| cx.lightf(GL_LIGHT0, GL_AMBIENT, 0.5)),
+    ("Lighti diffuse", |cx| cx.lighti(GL_LIGHT0, GL_DIFFUSE, 1)),
+    ("Lightf specular", |cx| cx.lightf(GL_LIGHT0, GL_SPECULAR, 0.5)),
+    ("Lightf position", |cx| cx.lightf(GL_LIGHT0, GL_POSITION, 0.5)),
+    ("Lightf direction", |cx| cx.lightf(GL_LIGHT0, GL_SPOT_DIRECTION, 0.5)),
+    ("Fogf", |cx| cx.fogf(GL_FOG_COLOR, 0.5)),
+    ("Fogi", |cx| cx.fogi(GL_FOG_COLOR, 1)),
+    ("PointParameterf", |cx| cx.point_parameterf(GL_POINT_DISTANCE_ATTENUATION, 0.5)),
+    ("ConvolutionParameterf border", |cx| {
+        cx.convolution_parameterf(GL_CONVOLUTION_2D, GL_CONVOLUTION_BORDER_COLOR, 0.5);
+    }),
+    ("ConvolutionParameteri scale", |cx| {
+        cx.convolution_parameteri(GL_CONVOLUTION_1D, GL_CONVOLUTION_FILTER_SCALE, 1);
+    }),
+    ("PointParameteri", |cx| cx.point_parameteri(GL_POINT_DISTANCE_ATTENUATION, 1)),
+];
+
+/// What the commands of [`SCALARS`] could have changed.
+fn vectors(cx: &mut Context) -> Vec<[f32; 4]> {
+    let mut all = Vec::new();
+    let mut ask = |question: &mut dyn FnMut(&mut [f32; 4])| {
+        let mut v = [-7.0; 4];
+        question(&mut v);
+        all.push(v);
+    };
+    ask(&mut |v| cx.get_tex_parameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, v));
+    ask(&mut |v| cx.get_tex_envfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v));
+    ask(&mut |v| cx.get_floatv(GL_LIGHT_MODEL_AMBIENT, v));
+    ask(&mut |v| cx.get_floatv(GL_FOG_COLOR, v));
+    ask(&mut |v| cx.get_floatv(GL_POINT_DISTANCE_ATTENUATION, v));
+    for (coord, pname) in [(GL_S, GL_OBJECT_PLANE), (GL_S, GL_EYE_PLANE), (GL_T, GL_EYE_PLANE)] {
+        ask(&mut |v| cx.get_tex_genfv(coord, pname, v));
+    }
+    for pname in [GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_COLOR_INDEXES] {
+        ask(&mut |v| cx.get_materialfv(GL_FRONT, pname, v));
+    }
+    for pname in [GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION] {
+        ask(&mut |v| cx.get_lightfv(GL_LIGHT0, pname, v));
+    }
+    no_error(cx);
+    all
+}
+
+#[test]
+fn a_scalar_form_does_not_take_the_name_of_a_vector() {
+    for (name, command) in SCALARS {
+        let mut cx = Context::new(4, 4);
+        let before = vectors(&mut cx);
+        raises(&mut cx, GL_INVALID_ENUM, command);
+        cx.new_list(1, GL_COMPILE);
+        command(&mut cx);
+        cx.end_list();
+        no_error(&mut cx);
+        raises(&mut cx, GL_INVALID_ENUM, |cx| cx.call_list(1));
+        cx.new_list(1, GL_COMPILE_AND_EXECUTE);
+        raises(&mut cx, GL_INVALID_ENUM, command);
+        cx.end_list();
+        assert_eq!(vectors(&mut cx), before, "{name}");
+    }
+}

@@ -41,6 +41,7 @@ mod pixels;
 mod rasterisation;
 mod render_modes;
 mod shadow;
+mod state;
 mod texgen;
 mod texture_images;
 mod texture_objects;

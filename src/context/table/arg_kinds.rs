@@ -5,6 +5,7 @@
 /// The type of an argument in the signature of a Rust door.
 macro_rules! door_ty {
     (enum) => { $crate::enums::GLenum };
+    (unit) => { $crate::enums::GLenum };
     (bits) => { $crate::enums::GLbitfield };
     (uint) => { $crate::enums::GLuint };
     (int) => { impl $crate::context::IntoInt };
@@ -90,6 +91,9 @@ macro_rules! shown {
     (enum, $a:ident) => {
         &$crate::context::show::Enumerant($a)
     };
+    (unit, $a:ident) => {
+        &$crate::context::show::Enumerant($a)
+    };
     (bits, $a:ident) => {
         &$crate::context::show::Bits($a)
     };
@@ -134,19 +138,13 @@ macro_rules! checked {
             None => return $cx.short($name, stringify!($a), needed, there, "values"),
         }
     }};
-    // The engine knows best how much memory an image takes and says so in words.
+    // The engine knows how much memory images, bytes and indices take, and says so in words after its other checks.
     ((rect $size:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {
         &$a
     };
-    ((bytes $size:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let needed = $crate::context::param_counts::size($size);
-        if let Some(bytes) = $a.bytes()
-            && bytes.len() < needed
-        {
-            return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
-        }
+    ((bytes $size:expr), $cx:ident, $name:ident, $a:ident) => {
         &$a
-    }};
+    };
     ((rect_out $size:expr, $format:expr, $type:expr), $cx:ident, $name:ident, $a:ident) => {
         $crate::context::PixelsMut::into_bytes($a)
     };
@@ -156,18 +154,17 @@ macro_rules! checked {
     ((imaging_out $($size:expr),*), $cx:ident, $name:ident, $a:ident) => {
         $crate::context::PixelsMut::into_bytes($a)
     };
-    ((bytes_out compressed_size($target:expr, $level:expr)), $cx:ident, $name:ident, $a:ident) => {
+    ((bytes_out $($size:tt)*), $cx:ident, $name:ident, $a:ident) => {
         $crate::context::PixelsMut::into_bytes($a)
     };
-    ((bytes_out $size:expr), $cx:ident, $name:ident, $a:ident) => {{
-        let (needed, bytes) = ($crate::context::param_counts::size($size), $crate::context::PixelsMut::into_bytes($a));
-        if bytes.len() < needed {
-            return $cx.short($name, stringify!($a), needed, bytes.len(), "bytes");
-        }
-        bytes
-    }};
-    // The engine checks them after mode, count and type.
     ((indices $count:ident, $type:ident), $cx:ident, $name:ident, $a:ident) => { &$a };
+    // It comes before the memory of the coordinates, of which this kind is the only other argument.
+    (unit, $cx:ident, $name:ident, $a:ident) => {
+        match $crate::context::tex_unit::unit_index($a) {
+            Ok(_) => $a,
+            Err(error) => return $crate::context::context_commands::refuse($cx, $name, error),
+        }
+    };
     (index_lists, $cx:ident, $name:ident, $a:ident) => { &$a[..] };
     ($k:tt, $cx:ident, $name:ident, $a:ident) => { $a };
 }
@@ -185,6 +182,7 @@ macro_rules! engine_ty {
     (matrix) => { &[f64; 16] };
     ([$t:ty; $n:literal]) => { &[$t; $n] };
     ((slice $t:ty : $($count:tt)*)) => { &[$t] };
+    ((upto $t:ty : $($count:tt)*)) => { &[$t] };
     ((out $t:ty : $($count:tt)*)) => { &mut [$t] };
     ((rect $($size:expr),*)) => { &$crate::context::Pixels<'_> };
     ((bytes $size:expr)) => { &$crate::context::Pixels<'_> };
@@ -211,6 +209,7 @@ macro_rules! owned_ty {
     (matrix) => { Box<[f64; 16]> };
     ([$t:ty; $n:literal]) => { Box<[$t; $n]> };
     ((slice $t:ty : $($count:tt)*)) => { Box<[$t]> };
+    ((upto $t:ty : $($count:tt)*)) => { Box<[$t]> };
     ((rect $($size:expr),*)) => { $crate::context::Pixels<'static> };
     ((bytes $size:expr)) => { $crate::context::Pixels<'static> };
     ($t:ident) => { $t };
@@ -228,6 +227,12 @@ macro_rules! owned {
         Box::new(*$a)
     };
     ((slice $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {
+        match $crate::context::capture::keep($a) {
+            Ok(kept) => kept,
+            Err(error) => return $cx.fail($name, error),
+        }
+    };
+    ((upto $t:ty : $($count:tt)*), $cx:ident, $name:ident, $a:ident) => {
         match $crate::context::capture::keep($a) {
             Ok(kept) => kept,
             Err(error) => return $cx.fail($name, error),
@@ -262,6 +267,9 @@ macro_rules! lent {
         $a
     };
     ((slice $t:ty : $($count:tt)*), $a:ident) => {
+        $a
+    };
+    ((upto $t:ty : $($count:tt)*), $a:ident) => {
         $a
     };
     ((rect $($size:expr),*), $a:ident) => {

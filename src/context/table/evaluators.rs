@@ -4,9 +4,9 @@
 macro_rules! evaluators_table { ($generate:ident) => { $generate! {
     title "Evaluators (section 5.1)";
     canonical {
-        list Map1 map1(target: enum, u1: f64, u2: f64, stride: i32, order: i32, points: (slice f64:));
+        list Map1 map1(target: enum, u1: f64, u2: f64, stride: i32, order: i32, points: (upto f64:));
         list Map2 map2(target: enum, u1: f64, u2: f64, ustride: i32, uorder: i32, v1: f64, v2: f64, vstride: i32,
-            vorder: i32, points: (slice f64:));
+            vorder: i32, points: (upto f64:));
         list MapGrid1 map_grid1(un: i32, u1: f64, u2: f64);
         list MapGrid2 map_grid2(un: i32, u1: f64, u2: f64, vn: i32, v1: f64, v2: f64);
         begin EvalCoord1 eval_coord1(u: f64);
@@ -26,18 +26,18 @@ macro_rules! evaluators_table { ($generate:ident) => { $generate! {
     forms {
         family "Sets a one-dimensional map (section 5.1). `INVALID_VALUE` if the ends coincide, the stride is too small or the order out of range." {
             list glMap1f map1f(target: enum, u1: f32, u2: f32, stride: i32, order: i32,
-                points: (slice f32: map1(target, stride, order)))
+                points: (upto f32: map1(target, stride, order)))
                 => map1(target, f64::from(u1), f64::from(u2), stride, order, &doubles(points));
             list glMap1d map1d(target: enum, u1: f64, u2: f64, stride: i32, order: i32,
-                points: (slice f64: map1(target, stride, order))) => map1(target, u1, u2, stride, order, points);
+                points: (upto f64: map1(target, stride, order))) => map1(target, u1, u2, stride, order, points);
         }
         family "Sets a two-dimensional map (section 5.1). `INVALID_VALUE` if ends coincide, a stride is too small or an order out of range." {
             list glMap2f map2f(target: enum, u1: f32, u2: f32, ustride: i32, uorder: i32, v1: f32, v2: f32, vstride: i32,
-                vorder: i32, points: (slice f32: map2(target, ustride, uorder, vstride, vorder)))
+                vorder: i32, points: (upto f32: map2(target, ustride, uorder, vstride, vorder)))
                 => map2(target, f64::from(u1), f64::from(u2), ustride, uorder, f64::from(v1), f64::from(v2), vstride,
                     vorder, &doubles(points));
             list glMap2d map2d(target: enum, u1: f64, u2: f64, ustride: i32, uorder: i32, v1: f64, v2: f64, vstride: i32,
-                vorder: i32, points: (slice f64: map2(target, ustride, uorder, vstride, vorder)))
+                vorder: i32, points: (upto f64: map2(target, ustride, uorder, vstride, vorder)))
                 => map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
         }
         family "Sets the one-dimensional grid (section 5.1). `INVALID_VALUE` if it has no steps." {

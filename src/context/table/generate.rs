@@ -90,6 +90,17 @@ macro_rules! enter {
     };
 }
 
+/// A command that is not allowed between Begin and End is refused there before its memory is looked at. While a list is
+/// open that has to wait until the command has been recorded.
+macro_rules! refuse_inside {
+    (begin, $cx:ident, $name:ident) => {};
+    ($class:ident, $cx:ident, $name:ident) => {
+        if !$cx.flags.recording() && $cx.engine.inside_begin_end() {
+            return $cx.refuse_inside($name);
+        }
+    };
+}
+
 /// A chapter of the table: see `table/mod.rs` for the shape of the rows.
 macro_rules! chapter {
     (
@@ -135,6 +146,7 @@ macro_rules! chapter {
                 pub fn $c_snake<'a>(&mut self, $($ca: $crate::context::table::arg_kinds::door_ty!($ck)),*) {
                     let (cx, name) = (self, stringify!($c_name));
                     $crate::context::table::generate::enter!(cx, name, $($ca : $ck),*);
+                    $crate::context::table::generate::refuse_inside!($c_class, cx, name);
                     $( let $ca = $crate::context::table::arg_kinds::checked!($ck, cx, name, $ca); )*
                     $crate::context::table::Dispatch::$c_snake(cx, name, $($ca),*)
                 }
@@ -148,6 +160,7 @@ macro_rules! chapter {
                 pub fn $f_snake<'a>(&mut self, $($fa: $crate::context::table::arg_kinds::door_ty!($fk)),*) {
                     let (cx, name) = (self, stringify!($f_name));
                     $crate::context::table::generate::enter!(cx, name, $($fa : $fk),*);
+                    $crate::context::table::generate::refuse_inside!($f_class, cx, name);
                     $( let $fa = $crate::context::table::arg_kinds::checked!($fk, cx, name, $fa); )*
                     $crate::context::table::Dispatch::$op(cx, name, $($fe),*)
                 }
@@ -161,6 +174,7 @@ macro_rules! chapter {
                 ) $(-> $crate::context::table::arg_kinds::return_ty!($or))? {
                     let (cx, name) = (self, stringify!($o_name));
                     $crate::context::table::generate::enter!(cx, name, $($oa : $ok),*);
+                    $crate::context::table::generate::refuse_inside!($o_class, cx, name);
                     $( let $oa = $crate::context::table::arg_kinds::checked!($ok, cx, name, $oa); )*
                     $crate::context::context_commands::$o_snake(cx, name, $($oa),*)
                 }
@@ -222,4 +236,4 @@ macro_rules! chapter {
     };
 }
 
-pub(crate) use {allowed_inside, ask, chapter, dispatch, enter, immediate};
+pub(crate) use {allowed_inside, ask, chapter, dispatch, enter, immediate, refuse_inside};

@@ -48,17 +48,17 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
     forms {
         family "Sets scale or bias of a colour table (section 3.6.3)." {
             list glColorTableParameteriv | glColorTableParameterivSGI color_table_parameteriv(target: enum, pname: enum,
-                params: (slice i32: imaging_parameter(pname)))
+                params: (upto i32: imaging_parameter(pname)))
                 => color_table_parameter(target, pname, &Params::ints(params));
             list glColorTableParameterfv | glColorTableParameterfvSGI color_table_parameterfv(target: enum, pname: enum,
-                params: (slice f32: imaging_parameter(pname)))
+                params: (upto f32: imaging_parameter(pname)))
                 => color_table_parameter(target, pname, &Params::floats(params));
         }
         family "Sets scale, bias or border of convolution (section 3.6.3)." {
             list glConvolutionParameteri | glConvolutionParameteriEXT convolution_parameteri(target: enum, pname: enum, param: int) => convolution_parameter(target, pname, &Params::int(param));
             list glConvolutionParameterf | glConvolutionParameterfEXT convolution_parameterf(target: enum, pname: enum, param: float) => convolution_parameter(target, pname, &Params::float(param));
-            list glConvolutionParameteriv | glConvolutionParameterivEXT convolution_parameteriv(target: enum, pname: enum, params: (slice i32: imaging_parameter(pname))) => convolution_parameter(target, pname, &Params::ints(params));
-            list glConvolutionParameterfv | glConvolutionParameterfvEXT convolution_parameterfv(target: enum, pname: enum, params: (slice f32: imaging_parameter(pname))) => convolution_parameter(target, pname, &Params::floats(params));
+            list glConvolutionParameteriv | glConvolutionParameterivEXT convolution_parameteriv(target: enum, pname: enum, params: (upto i32: imaging_parameter(pname))) => convolution_parameter(target, pname, &Params::ints(params));
+            list glConvolutionParameterfv | glConvolutionParameterfvEXT convolution_parameterfv(target: enum, pname: enum, params: (upto f32: imaging_parameter(pname))) => convolution_parameter(target, pname, &Params::floats(params));
         }
     }
     context {}

@@ -5,7 +5,7 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
     title "Pixels (sections 3.6, 4.3)";
     canonical {
         list PixelTransfer pixel_transfer(pname: enum, params: params);
-        list PixelMap pixel_map(map: enum, values: (slice f32:));
+        list PixelMap pixel_map(map: enum, mapsize: i32, values: (upto f32:));
     }
     commands {
         /// Draws a rectangle of pixels at the raster position (section 3.6.4).
@@ -27,12 +27,12 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
             list glPixelTransferf pixel_transferf(pname: enum, param: float) => pixel_transfer(pname, &Params::float(param));
         }
         family "Sets a table of pixel transfer (section 3.6.3). `INVALID_VALUE` for sizes that are not positive, too large or, for index maps, no power of two." {
-            list glPixelMapfv pixel_mapfv(map: enum, mapsize: i32, values: (slice f32: count(mapsize)))
-                => pixel_map(map, values);
-            list glPixelMapuiv pixel_mapuiv(map: enum, mapsize: i32, values: (slice u32: count(mapsize)))
-                => pixel_map(map, &map_of(map, values));
-            list glPixelMapusv pixel_mapusv(map: enum, mapsize: i32, values: (slice u16: count(mapsize)))
-                => pixel_map(map, &map_of(map, values));
+            list glPixelMapfv pixel_mapfv(map: enum, mapsize: i32, values: (upto f32: pixel_map(mapsize)))
+                => pixel_map(map, mapsize, values);
+            list glPixelMapuiv pixel_mapuiv(map: enum, mapsize: i32, values: (upto u32: pixel_map(mapsize)))
+                => pixel_map(map, mapsize, &map_of(map, values));
+            list glPixelMapusv pixel_mapusv(map: enum, mapsize: i32, values: (upto u16: pixel_map(mapsize)))
+                => pixel_map(map, mapsize, &map_of(map, values));
         }
     }
     context {}

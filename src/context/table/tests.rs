@@ -12,10 +12,18 @@ struct Sample {
     name: u32,
     int: i32,
     float: f64,
+    /// Values and bytes that there are of every memory argument.
+    memory: usize,
 }
+
+/// As much memory as the samples below ask for.
+const ENOUGH: usize = 4096;
 
 macro_rules! argument {
     (enum, $s:ident) => {
+        $s.name
+    };
+    (unit, $s:ident) => {
         $s.name
     };
     (bits, $s:ident) => {
@@ -40,28 +48,31 @@ macro_rules! argument {
         $s.float as f32
     };
     ([$t:ty; $n:literal], $s:ident) => {
-        &[$s.float as $t; $n]
+        &vec![$s.float as $t; $s.memory.min($n)]
     };
     ((slice $t:ty : $($count:tt)*), $s:ident) => {
-        &vec![$s.float as $t; 64]
+        &vec![$s.float as $t; $s.memory.min(64)]
+    };
+    ((upto $t:ty : $($count:tt)*), $s:ident) => {
+        &vec![$s.float as $t; $s.memory.min(64)]
     };
     ((out $t:ty : $($count:tt)*), $s:ident) => {
-        &mut vec![0 as $t; 64]
+        &mut vec![0 as $t; $s.memory.min(64)]
     };
     ((rect $($size:tt)*), $s:ident) => {
-        &[0_u8; 4096]
+        &vec![0_u8; $s.memory.min(4096)]
     };
     ((bytes $size:expr), $s:ident) => {
-        &[0_u8; 4096]
+        &vec![0_u8; $s.memory.min(4096)]
     };
     ((indices $count:ident, $type:ident), $s:ident) => {
-        &[0_u8; 256]
+        &vec![0_u8; $s.memory.min(256)]
     };
     (array, $s:ident) => {
         &[0_u8; 256]
     };
     (($out:ident $($size:tt)*), $s:ident) => {
-        &mut [0_u8; 4096]
+        &mut vec![0_u8; $s.memory.min(4096)]
     };
     ($t:ident, $s:ident) => {
         $s.float as $t
@@ -123,12 +134,12 @@ fn every_row_is_called_here() {
 
 #[test]
 fn only_commands_of_the_class_begin_stand_between_begin_and_end() {
-    for (name, call) in CALLS.iter().copied().flatten() {
+    for ((name, call), memory) in CALLS.iter().copied().flatten().flat_map(|call| [(call, ENOUGH), (call, 0)]) {
         let mut cx = Context::new(4, 4);
         cx.begin(GL_POINTS);
         assert_eq!(cx.check(), Ok(()));
         let before = cx.engine.state.clone();
-        call(&mut cx, Sample { name: GL_LIGHTING, int: 1, float: 1.0 });
+        call(&mut cx, Sample { name: GL_LIGHTING, int: 1, float: 1.0, memory });
         let error = cx.check();
         if class(name) == Class::Begin {
             // These may fail for other reasons, but not for the place where they stand.
@@ -141,6 +152,54 @@ fn only_commands_of_the_class_begin_stand_between_begin_and_end() {
             assert_eq!(format!("{before:?}"), format!("{:?}", cx.engine.state), "{name}");
         }
     }
+}
+
+/// Names of every chapter, and some that are none; those of targets and faces first.
+const NAMES: [u32; 12] = [
+    0,
+    GL_TEXTURE_2D,
+    GL_FRONT_AND_BACK,
+    GL_TEXTURE_ENV,
+    GL_S,
+    GL_LIGHT0,
+    GL_TEXTURE0,
+    GL_CLIP_PLANE0,
+    GL_PIXEL_MAP_R_TO_R,
+    GL_AMBIENT,
+    GL_ARRAY_BUFFER,
+    u32::MAX,
+];
+
+#[test]
+fn too_little_memory_is_the_last_error_that_a_command_has() {
+    let error = |call: fn(&mut Context, Sample), sample: Sample, list: bool| {
+        let mut cx = Context::new(4, 4);
+        if list {
+            cx.new_list(1, GL_COMPILE);
+        }
+        call(&mut cx, sample);
+        let compiled = cx.check();
+        if list {
+            cx.end_list();
+            cx.call_list(1);
+        }
+        compiled.and(cx.check())
+    };
+    let mut seen = 0;
+    for (command, call) in CALLS.iter().copied().flatten() {
+        for (name, int) in NAMES.into_iter().flat_map(|name| [(name, 1), (name, -1)]) {
+            for list in [false, true] {
+                let sample = Sample { name, int, float: 1.0, memory: ENOUGH };
+                let Err(enough) = error(*call, sample, list) else { continue };
+                let Err(none) = error(*call, Sample { memory: 0, ..sample }, list) else {
+                    panic!("{command} with {name:#x}, {int} and no memory: no error, but {enough} with memory");
+                };
+                assert_eq!(none.code, enough.code, "{command} with {name:#x}, {int}: {none}, but {enough}");
+                seen += usize::from(enough.code == GL_INVALID_ENUM);
+            }
+        }
+    }
+    assert!(seen > 1000, "{seen}");
 }
 
 #[test]
@@ -160,7 +219,7 @@ fn no_argument_makes_a_command_panic() {
         let mut cx = Context::new(8, 8);
         for name in names {
             for (int, float) in numbers {
-                call(&mut cx, Sample { name, int, float });
+                call(&mut cx, Sample { name, int, float, memory: ENOUGH });
             }
         }
         cx.finish();
@@ -173,7 +232,7 @@ fn no_argument_makes_a_recorded_command_panic() {
         let mut cx = Context::new(8, 8);
         for (i, (int, float)) in [(1, 1.0), (-1, f64::NAN), (i32::MAX, f64::INFINITY)].into_iter().enumerate() {
             cx.new_list(i as u32 + 1, GL_COMPILE);
-            call(&mut cx, Sample { name: GL_RGBA, int, float });
+            call(&mut cx, Sample { name: GL_RGBA, int, float, memory: ENOUGH });
             cx.end_list();
             let _ = cx.check();
             cx.call_list(i as u32 + 1);

@@ -86,15 +86,15 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
             #[doc = include_str!("examples/tex_parameter.md")]
             list glTexParameteri tex_parameteri(target: enum, pname: enum, param: int) => tex_parameter(target, pname, &Params::int(param));
             list glTexParameterf tex_parameterf(target: enum, pname: enum, param: float) => tex_parameter(target, pname, &Params::float(param));
-            list glTexParameteriv tex_parameteriv(target: enum, pname: enum, params: (slice i32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::ints(params));
-            list glTexParameterfv tex_parameterfv(target: enum, pname: enum, params: (slice f32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::floats(params));
+            list glTexParameteriv tex_parameteriv(target: enum, pname: enum, params: (upto i32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::ints(params));
+            list glTexParameterfv tex_parameterfv(target: enum, pname: enum, params: (upto f32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::floats(params));
         }
         family "Sets the environment of the active texture unit: function, colour, combiners, LOD bias, point sprites (section 3.8.13). `INVALID_ENUM` for other targets, names and values." {
             #[doc = include_str!("examples/tex_env.md")]
             list glTexEnvi tex_envi(target: enum, pname: enum, param: int) => tex_env(target, pname, &Params::int(param));
             list glTexEnvf tex_envf(target: enum, pname: enum, param: float) => tex_env(target, pname, &Params::float(param));
-            list glTexEnviv tex_enviv(target: enum, pname: enum, params: (slice i32: tex_env(pname))) => tex_env(target, pname, &Params::ints(params));
-            list glTexEnvfv tex_envfv(target: enum, pname: enum, params: (slice f32: tex_env(pname))) => tex_env(target, pname, &Params::floats(params));
+            list glTexEnviv tex_enviv(target: enum, pname: enum, params: (upto i32: tex_env(pname))) => tex_env(target, pname, &Params::ints(params));
+            list glTexEnvfv tex_envfv(target: enum, pname: enum, params: (upto f32: tex_env(pname))) => tex_env(target, pname, &Params::floats(params));
         }
     }
     context {}

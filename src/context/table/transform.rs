@@ -33,7 +33,7 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
         list glDepthRange depth_range(near: f64, far: f64);
         /// Sets a user clip plane, transformed by the inverse of the modelview matrix (section 2.12). `INVALID_ENUM` if
         /// `plane` is not `CLIP_PLANE0` or one of its successors.
-        list glClipPlane clip_plane(plane: enum, equation: [f64; 4]);
+        list glClipPlane clip_plane(plane: enum, equation: (upto f64: four()));
         /// Selects the texture unit that texture commands work on (section 2.7). `INVALID_ENUM` for a unit that does not
         /// exist.
         list glActiveTexture | glActiveTextureARB active_texture(texture: enum);
@@ -79,11 +79,11 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
             list glTexGenf tex_genf(coord: enum, pname: enum, param: float) => tex_gen(coord, pname, &Params::float(param));
             list glTexGend tex_gend(coord: enum, pname: enum, param: f64)
                 => tex_gen(coord, pname, &Params::float(param as f32));
-            list glTexGeniv tex_geniv(coord: enum, pname: enum, params: (slice i32: tex_gen(pname)))
+            list glTexGeniv tex_geniv(coord: enum, pname: enum, params: (upto i32: tex_gen(pname)))
                 => tex_gen(coord, pname, &Params::ints(params));
-            list glTexGenfv tex_genfv(coord: enum, pname: enum, params: (slice f32: tex_gen(pname)))
+            list glTexGenfv tex_genfv(coord: enum, pname: enum, params: (upto f32: tex_gen(pname)))
                 => tex_gen(coord, pname, &Params::floats(params));
-            list glTexGendv tex_gendv(coord: enum, pname: enum, params: (slice f64: tex_gen(pname)))
+            list glTexGendv tex_gendv(coord: enum, pname: enum, params: (upto f64: tex_gen(pname)))
                 => tex_gen(coord, pname, &Params::doubles(params));
         }
     }
