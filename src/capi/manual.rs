@@ -51,8 +51,9 @@ pub unsafe extern "C" fn glMultiDrawElementsEXT(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glFeedbackBuffer(size: i32, type_: GLenum, buffer: *mut f32) {
     current::with_handle(|os| {
-        os.context.feedback_buffer(size, type_);
-        os.feedback = ClientBuffer { address: buffer, len: param_counts::count(size) };
+        if os.context.takes_feedback_buffer(size, type_) {
+            os.feedback = ClientBuffer { address: buffer, len: param_counts::count(size) };
+        }
     });
 }
 
@@ -61,8 +62,9 @@ pub unsafe extern "C" fn glFeedbackBuffer(size: i32, type_: GLenum, buffer: *mut
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn glSelectBuffer(size: i32, buffer: *mut u32) {
     current::with_handle(|os| {
-        os.context.select_buffer(size);
-        os.select = ClientBuffer { address: buffer, len: param_counts::count(size) };
+        if os.context.takes_select_buffer(size) {
+            os.select = ClientBuffer { address: buffer, len: param_counts::count(size) };
+        }
     });
 }
 

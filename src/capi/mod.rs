@@ -7,6 +7,8 @@
 #![expect(unsafe_code, reason = "C hands over raw pointers; `memory` and `current` say what is asked of them")]
 
 mod current;
+#[cfg(test)]
+mod error_tests;
 mod glu;
 mod manual;
 mod memory;

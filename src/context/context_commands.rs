@@ -80,7 +80,7 @@ pub(crate) fn call_list(cx: &mut Context, name: &'static str, list: u32) {
 pub(crate) fn call_lists(cx: &mut Context, name: &'static str, n: i32, type_: GLenum, lists: &Pixels<'_>) {
     let offsets = match super::lists::offsets(n, type_, lists.bytes().unwrap_or_default()) {
         Ok(offsets) => offsets,
-        Err(error) => return refuse(cx, name, error),
+        Err(error) => return cx.refuse(name, error),
     };
     if cx.flags.recording() && !cx.record(name, Command::Calls(offsets.clone())) {
         return;
@@ -150,15 +150,6 @@ fn record_failed(cx: &mut Context, name: &'static str, inside: bool, error: GlEr
         return cx.fail(name, error);
     }
     cx.record(name, Command::Failed(Box::new(FailedCommand { name, inside, error })))
-}
-
-/// The error of a command that may stand between Begin and End, now or when the open list is called.
-#[cold]
-#[track_caller]
-pub(crate) fn refuse(cx: &mut Context, name: &'static str, error: GlError) {
-    if !cx.flags.recording() || record_failed(cx, name, true, error.clone()) {
-        cx.fail(name, error)
-    }
 }
 
 #[track_caller]
@@ -323,6 +314,15 @@ pub(crate) fn multi_draw_elements(
 }
 
 impl Context {
+    /// The error of a command that may stand between Begin and End, now or when the open list is called.
+    #[cold]
+    #[track_caller]
+    pub(crate) fn refuse(&mut self, name: &'static str, error: GlError) {
+        if !self.flags.recording() || record_failed(self, name, true, error.clone()) {
+            self.fail(name, error)
+        }
+    }
+
     /// Draws several primitives of elements by their indices (section 2.8).
     ///
     /// In C: `glMultiDrawElements`; there `drawcount` says how many lists there are.
@@ -358,11 +358,17 @@ impl Context {
     /// In C: `glFeedbackBuffer`.
     #[track_caller]
     pub fn feedback_buffer(&mut self, size: i32, type_: GLenum) {
+        self.takes_feedback_buffer(size, type_);
+    }
+
+    /// The same; says whether it was no error.
+    #[track_caller]
+    pub(crate) fn takes_feedback_buffer(&mut self, size: i32, type_: GLenum) -> bool {
         let name = "glFeedbackBuffer";
         if self.flags.tracing() {
             self.trace(name, &[("size", &size), ("type", &Enumerant(type_))]);
         }
-        outside(self, name, |cx| cx.engine.feedback_buffer(size, type_))
+        outside(self, name, |cx| cx.engine.feedback_buffer(size, type_).map(|()| true))
     }
 
     /// Sets how many values selection mode may write (section 5.2). The memory is the context's.
@@ -370,11 +376,17 @@ impl Context {
     /// In C: `glSelectBuffer`.
     #[track_caller]
     pub fn select_buffer(&mut self, size: i32) {
+        self.takes_select_buffer(size);
+    }
+
+    /// The same; says whether it was no error.
+    #[track_caller]
+    pub(crate) fn takes_select_buffer(&mut self, size: i32) -> bool {
         let name = "glSelectBuffer";
         if self.flags.tracing() {
             self.trace(name, &[("size", &size)]);
         }
-        outside(self, name, |cx| cx.engine.select_buffer(size))
+        outside(self, name, |cx| cx.engine.select_buffer(size).map(|()| true))
     }
 
     /// What the last feedback mode has written.

@@ -162,7 +162,7 @@ macro_rules! checked {
     (unit, $cx:ident, $name:ident, $a:ident) => {
         match $crate::context::tex_unit::unit_index($a) {
             Ok(_) => $a,
-            Err(error) => return $crate::context::context_commands::refuse($cx, $name, error),
+            Err(error) => return $cx.refuse($name, error),
         }
     };
     (index_lists, $cx:ident, $name:ident, $a:ident) => { &$a[..] };
