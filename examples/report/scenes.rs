@@ -301,8 +301,13 @@ fn eight_units() -> Scene {
         u.env.combine = Combine {
             rgb: function,
             alpha: GL_REPLACE,
-            rgb_args: [arg(GL_TEXTURE, GL_SRC_COLOR), arg(GL_PREVIOUS, GL_SRC_COLOR), arg(GL_CONSTANT, GL_SRC_ALPHA)],
-            alpha_args: [arg(GL_PREVIOUS, GL_SRC_ALPHA); 3],
+            rgb_args: [
+                arg(GL_TEXTURE, GL_SRC_COLOR),
+                arg(GL_PREVIOUS, GL_SRC_COLOR),
+                arg(GL_CONSTANT, GL_SRC_ALPHA),
+                arg(GL_ZERO, GL_SRC_COLOR),
+            ],
+            alpha_args: [arg(GL_PREVIOUS, GL_SRC_ALPHA); 4],
             ..Combine::default()
         };
         scene.units.push(u);

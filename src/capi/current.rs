@@ -3,6 +3,7 @@
 
 use super::osmesa::OsMesa;
 use crate::Context;
+use crate::context::{Config, standard_error};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A word of each thread for its handle. A shared library asks a function of the C library where a thread's variables are,
@@ -98,6 +99,31 @@ pub(super) fn with_handle<T: Default>(f: impl FnOnce(&mut OsMesa) -> T) -> T {
         Some(os) => catch_unwind(AssertUnwindSafe(|| f(os))).unwrap_or_default(),
         None => T::default(),
     }
+}
+
+/// Calls `f` with the current context, for a command of this name.
+#[inline]
+pub(super) fn command<T: Default>(name: &'static str, f: impl FnOnce(&mut Context) -> T) -> T {
+    if get().is_null() {
+        missed(name);
+    }
+    with(f)
+}
+
+/// A command without a current context.
+#[cold]
+fn missed(name: &str) {
+    say(name, || "does nothing: no context is current in this thread; call OSMesaMakeCurrent first".to_string());
+}
+
+/// Writes a sentence about a command to standard error, once, if `FIXEDGL_DEBUG` asks for it.
+#[cold]
+pub(super) fn say(command: &str, sentence: impl FnOnce() -> String) {
+    without(|| {
+        if Config::from_env().debug {
+            standard_error::say(&format!("{command}: {}", sentence()));
+        }
+    });
 }
 
 /// Calls `f` with the current context.

@@ -13,6 +13,8 @@ mod glu;
 mod manual;
 mod memory;
 mod osmesa;
+#[cfg(test)]
+mod osmesa_tests;
 mod present;
 mod proc_address;
 #[cfg(test)]

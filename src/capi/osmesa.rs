@@ -1,11 +1,16 @@
 //! The OSMesa entry points: off-screen contexts that draw into memory of the program. A C program written for OSMesa runs
 //! unchanged: it makes a context, makes it current with a piece of memory, draws, calls glFinish, and has its picture.
 //! Objects are not shared between contexts.
+//!
+//! # When the program's memory is written
+//! Between OSMesaMakeCurrent and the next Flush, Finish or OSMesaGetColorBuffer, and when another context is made current
+//! while something is not finished. What is not finished when the *same* context gets other memory is dropped: the old
+//! memory may have been freed.
 
-use super::current;
+use super::current::{self, say};
 use super::present::pixel_bytes;
 use crate::context::Config;
-use crate::enums::*;
+use crate::enums::{name as name_of, *};
 use crate::framebuffer::{Framebuffer, FramebufferFormat, UserMemory};
 use crate::limits::MAX_VIEWPORT_DIM;
 use crate::{Context, context::param_counts};
@@ -120,6 +125,21 @@ impl OsMesa {
         })
     }
 
+    /// Lets go of the memory that is drawn into. What has not been finished is dropped, since the memory may be gone.
+    fn leave_memory(&mut self) {
+        if !self.target.is_some_and(|target| target.in_place) {
+            return;
+        }
+        if self.context.engine.unseen {
+            self.context.engine.note(
+                "what was drawn since the last glFinish is lost: the context gets other memory; call glFinish first"
+                    .to_string(),
+            );
+            self.context.deliver("OSMesaMakeCurrent");
+        }
+        self.context.engine.discard_scene();
+    }
+
     /// Draws into `target` from now on. Bytes R, G, B, A at an even address are drawn in place.
     fn bind(&mut self, mut target: Target) -> Option<()> {
         let Target { address, type_, width, height, .. } = target;
@@ -162,16 +182,24 @@ pub extern "C" fn OSMesaCreateContext(format: GLenum, sharelist: *mut OsMesa) ->
     OSMesaCreateContextExt(format, 24, 8, 0, sharelist)
 }
 
-/// Makes a context with buffers of at least so many bits. Objects are not shared, whatever `sharelist` is.
+/// Makes a context with buffers of at least so many bits. Objects are not shared, whatever `sharelist` is; with
+/// `FIXEDGL_DEBUG=1` a line on standard error says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn OSMesaCreateContextExt(
     format: GLenum,
     depth_bits: c_int,
     stencil_bits: c_int,
     accum_bits: c_int,
-    _sharelist: *mut OsMesa,
+    sharelist: *mut OsMesa,
 ) -> *mut OsMesa {
+    let name = "OSMesaCreateContextExt";
+    if !sharelist.is_null() {
+        say(name, || "objects are not shared between contexts: each has its own textures and lists".to_string());
+    }
     let made = current::without(|| OsMesa::new(format, depth_bits, stencil_bits, accum_bits));
+    if made.is_none() {
+        say(name, || format!("no context: 0x{format:X} is not a format like OSMESA_RGBA"));
+    }
     made.map_or(null_mut(), |os| Box::into_raw(Box::new(os)))
 }
 
@@ -243,8 +271,9 @@ pub unsafe extern "C" fn OSMesaMakeCurrent(
     width: c_int,
     height: c_int,
 ) -> GLboolean {
+    let name = "OSMesaMakeCurrent";
     if !current::get().is_null() && current::get() != handle {
-        super::present::present();
+        super::present::present_the_rest();
     }
     if handle.is_null() && buffer.is_null() {
         // SAFETY: null is always allowed.
@@ -256,16 +285,25 @@ pub unsafe extern "C" fn OSMesaMakeCurrent(
     let (Ok(w), Ok(h)) = (u32::try_from(width), u32::try_from(height)) else { return GL_FALSE };
     let size = 1..=MAX_VIEWPORT_DIM;
     if buffer.is_null() || !size.contains(&w) || !size.contains(&h) || pixel_bytes(os.format, type_).is_none() {
+        say(name, || match pixel_bytes(os.format, type_) {
+            _ if buffer.is_null() => "nothing is made current: the buffer is NULL".to_string(),
+            None => format!("nothing is made current: {} does not go with the context's format", name_of(type_)),
+            Some(_) => format!("nothing is made current: {w} x {h} is not 1 to {MAX_VIEWPORT_DIM} pixels each way"),
+        });
         return GL_FALSE;
     }
     let target = Target { address: buffer.cast(), type_, width: w, height: h, in_place: false };
     let bound = current::without(|| {
-        os.context.engine.flush_scene();
         // The same memory again: nothing changes, depths stay.
-        let same = os.target.is_some_and(|t| Target { in_place: false, ..t } == target);
-        if same { Some(()) } else { os.bind(target) }
+        if os.target.is_some_and(|t| Target { in_place: false, ..t } == target) {
+            os.context.engine.flush_scene();
+            return Some(());
+        }
+        os.leave_memory();
+        os.bind(target)
     });
     if bound.is_none() {
+        say(name, || format!("nothing is made current: no memory for the buffers of {w} x {h} pixels"));
         return GL_FALSE;
     }
     // SAFETY: the caller's promise; handles come from `Box::into_raw`.

@@ -11,6 +11,16 @@ pub(super) fn present() {
     current::with_handle(OsMesa::present);
 }
 
+/// Shows the picture of the current context if something has been drawn since it was shown last: the memory of a picture
+/// that is finished is the program's, which may have freed it.
+pub(super) fn present_the_rest() {
+    current::with_handle(|os| {
+        if os.context.engine.unseen {
+            os.present();
+        }
+    });
+}
+
 /// Offsets of R, G, B, A in a pixel of a format and how many components it has; `None` for other formats.
 pub(super) fn components(format: GLenum) -> Option<([usize; 4], usize)> {
     match format {
@@ -78,6 +88,7 @@ impl OsMesa {
     /// Finishes what was drawn and, unless it was drawn in place, converts it into the program's memory.
     pub(super) fn present(&mut self) {
         self.context.engine.flush_scene();
+        self.context.engine.unseen = false;
         let (Some(target), Layout { row_length, y_up }) = (&self.target, self.layout) else { return };
         let Target { address, type_, width, height, in_place } = *target;
         let Some(bytes) = pixel_bytes(self.format, type_).filter(|_| !in_place) else { return };

@@ -123,7 +123,7 @@ macro_rules! quick_function {
             #[cold]
             #[inline(never)]
             unsafe extern "C" fn long($($a: c_ty!($k)),*) {
-                current::with(|cx| {
+                current::command(stringify!($symbol), |cx| {
                     // SAFETY (of the blocks that the kinds make): the promise of the caller.
                     $( let $a = from_c!($k, cx, $a); )*
                     cx.$snake($($a),*)
@@ -150,7 +150,7 @@ macro_rules! function {
         #[allow(clippy::too_many_arguments, reason = "the commands are GL's")]
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $symbol($($a: c_ty!($k)),*) -> c_return!($($r)?) {
-            let result = current::with(|cx| {
+            let result = current::command(stringify!($symbol), |cx| {
                 // SAFETY (of the blocks that the kinds make): the promise of the caller.
                 $( let $a = from_c!($k, cx, $a); )*
                 cx.$snake($($a),*)
@@ -166,7 +166,7 @@ macro_rules! function {
         /// Pointers must point to as much memory as GL asks for.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $symbol($($a: c_ty!($k),)* params: *mut $t) {
-            current::with(|cx| {
+            current::command(stringify!($symbol), |cx| {
                 if let Some(values) = Query::$snake(cx, $($a),*) {
                     // SAFETY: the promise of the caller.
                     unsafe { memory::write(params, values.converted::<$t>()) };

@@ -30,6 +30,8 @@ pub(crate) struct Pointer {
     pub(crate) size: i32,
     pub(crate) type_: GLenum,
     pub(crate) stride: i32,
+    /// How many elements the program has promised not to change (EXT_vertex_array).
+    pub(crate) count: i32,
     pub(crate) data: ArrayData,
     /// Bytes from where `data` begins (interleaved arrays).
     pub(crate) offset: usize,
@@ -39,7 +41,7 @@ pub(crate) struct Pointer {
 
 impl Pointer {
     fn new(size: i32, type_: GLenum) -> Self {
-        Self { enabled: false, size, type_, stride: 0, data: ArrayData::Offset(0), offset: 0, buffer: 0 }
+        Self { enabled: false, size, type_, stride: 0, count: 0, data: ArrayData::Offset(0), offset: 0, buffer: 0 }
     }
 
     /// Bytes of one element.

@@ -68,7 +68,24 @@ impl Engine {
         }
         let (data, buffer) = self.resolve_array(data)?;
         let pointer = self.client.arrays.get_mut(attribute);
-        *pointer = Pointer { enabled: pointer.enabled, size, type_, stride, data, offset: 0, buffer };
+        *pointer = Pointer { enabled: pointer.enabled, size, type_, stride, count: 0, data, offset: 0, buffer };
+        Ok(())
+    }
+
+    /// What the pointer commands of EXT_vertex_array do.
+    fn set_static_pointer(
+        &mut self,
+        attribute: Attribute,
+        (size, type_): (i32, GLenum),
+        stride: i32,
+        count: i32,
+        data: ArrayData,
+    ) -> Outcome {
+        if count < 0 {
+            return Err(invalid_value(format!("{count} elements that do not change; the count must not be negative")));
+        }
+        self.set_pointer(attribute, size, type_, stride, data)?;
+        self.client.arrays.get_mut(attribute).count = count;
         Ok(())
     }
 
@@ -131,6 +148,51 @@ impl Engine {
         self.set_pointer(Attribute::EdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer)
     }
 
+    pub(crate) fn vertex_pointer_ext(
+        &mut self,
+        size: i32,
+        type_: GLenum,
+        stride: i32,
+        count: i32,
+        pointer: ArrayData,
+    ) -> Outcome {
+        self.set_static_pointer(Attribute::Vertex, (size, type_), stride, count, pointer)
+    }
+
+    pub(crate) fn normal_pointer_ext(&mut self, type_: GLenum, stride: i32, count: i32, pointer: ArrayData) -> Outcome {
+        self.set_static_pointer(Attribute::Normal, (3, type_), stride, count, pointer)
+    }
+
+    pub(crate) fn color_pointer_ext(
+        &mut self,
+        size: i32,
+        type_: GLenum,
+        stride: i32,
+        count: i32,
+        pointer: ArrayData,
+    ) -> Outcome {
+        self.set_static_pointer(Attribute::Color, (size, type_), stride, count, pointer)
+    }
+
+    pub(crate) fn index_pointer_ext(&mut self, type_: GLenum, stride: i32, count: i32, pointer: ArrayData) -> Outcome {
+        self.set_static_pointer(Attribute::Index, (1, type_), stride, count, pointer)
+    }
+
+    pub(crate) fn tex_coord_pointer_ext(
+        &mut self,
+        size: i32,
+        type_: GLenum,
+        stride: i32,
+        count: i32,
+        pointer: ArrayData,
+    ) -> Outcome {
+        self.set_static_pointer(Attribute::TexCoord, (size, type_), stride, count, pointer)
+    }
+
+    pub(crate) fn edge_flag_pointer_ext(&mut self, stride: i32, count: i32, pointer: ArrayData) -> Outcome {
+        self.set_static_pointer(Attribute::EdgeFlag, (1, GL_UNSIGNED_BYTE), stride, count, pointer)
+    }
+
     /// Arrays in one piece of memory: texture coordinates, colour, normal, vertex, in this order.
     pub(crate) fn interleaved_arrays(&mut self, format: GLenum, stride: i32, pointer: ArrayData) -> Outcome {
         let Some(&(_, tex, (color, color_type), normal, vertex)) = INTERLEAVED.iter().find(|row| row.0 == format)
@@ -155,7 +217,8 @@ impl Engine {
             let place = self.client.arrays.get_mut(attribute);
             place.enabled = size > 0;
             if size > 0 {
-                *place = Pointer { enabled: true, size, type_, stride, data: data.clone(), offset, buffer };
+                let data = data.clone();
+                *place = Pointer { enabled: true, size, type_, stride, count: 0, data, offset, buffer };
                 offset += bytes(size, type_);
             }
         }
@@ -173,7 +236,7 @@ impl Engine {
         self.set_client_state(array, false)
     }
 
-    fn set_client_state(&mut self, array: GLenum, on: bool) -> Outcome {
+    pub(crate) fn set_client_state(&mut self, array: GLenum, on: bool) -> Outcome {
         let attribute = attribute(array)
             .ok_or_else(|| invalid_enum(format!("{} is not an array like GL_VERTEX_ARRAY", name(array))))?;
         self.client.arrays.get_mut(attribute).enabled = on;
@@ -241,6 +304,7 @@ impl Engine {
             Some(0) => Values::int(pointer.size),
             Some(1) => Values::enumerant(pointer.type_),
             Some(2) => Values::int(pointer.stride),
+            Some(3) => Values::int(pointer.count),
             _ => Values::uint(pointer.buffer),
         })
     }
@@ -274,21 +338,47 @@ fn attribute(array: GLenum) -> Option<Attribute> {
     })
 }
 
-/// For each array the names of its size, type, stride and buffer binding (0 where there is none), and of its pointer.
-const QUERIES: [(Attribute, [GLenum; 4], GLenum); 8] = [
+/// Whether an enumerant is one of the arrays that `glEnable` turns on as well (EXT_vertex_array).
+pub(crate) const fn is_array(capability: GLenum) -> bool {
+    matches!(
+        capability,
+        GL_VERTEX_ARRAY
+            | GL_NORMAL_ARRAY
+            | GL_COLOR_ARRAY
+            | GL_INDEX_ARRAY
+            | GL_TEXTURE_COORD_ARRAY
+            | GL_EDGE_FLAG_ARRAY
+    )
+}
+
+/// For each array the names of its size, type, stride, count and buffer binding (0 where there is none), and of its
+/// pointer.
+const QUERIES: [(Attribute, [GLenum; 5], GLenum); 8] = [
     (
         Attribute::Vertex,
-        [GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE, GL_VERTEX_ARRAY_BUFFER_BINDING],
+        [
+            GL_VERTEX_ARRAY_SIZE,
+            GL_VERTEX_ARRAY_TYPE,
+            GL_VERTEX_ARRAY_STRIDE,
+            GL_VERTEX_ARRAY_COUNT_EXT,
+            GL_VERTEX_ARRAY_BUFFER_BINDING,
+        ],
         GL_VERTEX_ARRAY_POINTER,
     ),
     (
         Attribute::Normal,
-        [0, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE, GL_NORMAL_ARRAY_BUFFER_BINDING],
+        [0, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE, GL_NORMAL_ARRAY_COUNT_EXT, GL_NORMAL_ARRAY_BUFFER_BINDING],
         GL_NORMAL_ARRAY_POINTER,
     ),
     (
         Attribute::Color,
-        [GL_COLOR_ARRAY_SIZE, GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_STRIDE, GL_COLOR_ARRAY_BUFFER_BINDING],
+        [
+            GL_COLOR_ARRAY_SIZE,
+            GL_COLOR_ARRAY_TYPE,
+            GL_COLOR_ARRAY_STRIDE,
+            GL_COLOR_ARRAY_COUNT_EXT,
+            GL_COLOR_ARRAY_BUFFER_BINDING,
+        ],
         GL_COLOR_ARRAY_POINTER,
     ),
     (
@@ -297,23 +387,24 @@ const QUERIES: [(Attribute, [GLenum; 4], GLenum); 8] = [
             GL_SECONDARY_COLOR_ARRAY_SIZE,
             GL_SECONDARY_COLOR_ARRAY_TYPE,
             GL_SECONDARY_COLOR_ARRAY_STRIDE,
+            0,
             GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING,
         ],
         GL_SECONDARY_COLOR_ARRAY_POINTER,
     ),
     (
         Attribute::Index,
-        [0, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE, GL_INDEX_ARRAY_BUFFER_BINDING],
+        [0, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE, GL_INDEX_ARRAY_COUNT_EXT, GL_INDEX_ARRAY_BUFFER_BINDING],
         GL_INDEX_ARRAY_POINTER,
     ),
     (
         Attribute::FogCoord,
-        [0, GL_FOG_COORD_ARRAY_TYPE, GL_FOG_COORD_ARRAY_STRIDE, GL_FOG_COORD_ARRAY_BUFFER_BINDING],
+        [0, GL_FOG_COORD_ARRAY_TYPE, GL_FOG_COORD_ARRAY_STRIDE, 0, GL_FOG_COORD_ARRAY_BUFFER_BINDING],
         GL_FOG_COORD_ARRAY_POINTER,
     ),
     (
         Attribute::EdgeFlag,
-        [0, 0, GL_EDGE_FLAG_ARRAY_STRIDE, GL_EDGE_FLAG_ARRAY_BUFFER_BINDING],
+        [0, 0, GL_EDGE_FLAG_ARRAY_STRIDE, GL_EDGE_FLAG_ARRAY_COUNT_EXT, GL_EDGE_FLAG_ARRAY_BUFFER_BINDING],
         GL_EDGE_FLAG_ARRAY_POINTER,
     ),
     (
@@ -322,6 +413,7 @@ const QUERIES: [(Attribute, [GLenum; 4], GLenum); 8] = [
             GL_TEXTURE_COORD_ARRAY_SIZE,
             GL_TEXTURE_COORD_ARRAY_TYPE,
             GL_TEXTURE_COORD_ARRAY_STRIDE,
+            GL_TEXTURE_COORD_ARRAY_COUNT_EXT,
             GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING,
         ],
         GL_TEXTURE_COORD_ARRAY_POINTER,

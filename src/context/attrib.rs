@@ -43,7 +43,7 @@ fn copy_groups(to: &mut State, from: &State, mask: u32) {
             color_buffer.logic_op_enabled, color_buffer.index_logic_op_enabled, eval.auto_normal, eval.map1_enabled,
             eval.map2_enabled, lighting.color_material, lighting.enabled, polygon.cull, polygon.smooth,
             polygon.stipple, polygon.offset, depth.test, stencil.test, fog.enabled, fog.color_sum, line.smooth,
-            line.stipple, point.smooth, transform.normalize, transform.rescale_normal, transform.clip_plane_enabled,
+            line.stipple, point.smooth, point.sprite, transform.normalize, transform.rescale_normal, transform.clip_plane_enabled,
             scissor.enabled, multisample.enabled, multisample.alpha_to_coverage, multisample.alpha_to_one,
             multisample.coverage, pixel.imaging.tables, pixel.imaging.convolutions, pixel.imaging.histogram,
             pixel.imaging.minmax;

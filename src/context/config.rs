@@ -16,6 +16,8 @@ pub struct Config {
     pub batch_cut: usize,
     /// Runs every stage even where the state makes it a no-op. Slower, the same picture.
     pub general_plan: bool,
+    /// Whether every error and all advice of the library is written to standard error, each sentence once.
+    pub debug: bool,
     /// The buffers of the framebuffer.
     pub format: FramebufferFormat,
 }
@@ -29,6 +31,7 @@ impl Default for Config {
             threads,
             batch_cut: LANES,
             general_plan: false,
+            debug: false,
             format: FramebufferFormat::default(),
         }
     }
@@ -36,14 +39,15 @@ impl Default for Config {
 
 impl Config {
     /// The default with what the environment says: `FIXEDGL_THREADS` is a number of threads, `FIXEDGL_SIMD` is
-    /// `baseline`, `avx2` or `avx512`. What cannot be read is ignored.
+    /// `baseline`, `avx2` or `avx512`, `FIXEDGL_DEBUG` is 1 for [`Config::debug`]. What cannot be read is ignored.
     #[must_use]
     pub fn from_env() -> Self {
         let value = |name: &str| std::env::var(name).ok();
         let default = Self::default();
         let threads = value("FIXEDGL_THREADS").and_then(|v| v.trim().parse().ok()).unwrap_or(default.threads);
         let level = value("FIXEDGL_SIMD").and_then(|v| Level::from_name(v.trim())).unwrap_or(default.level);
-        Self { level, threads, ..default }.checked()
+        let debug = value("FIXEDGL_DEBUG").is_some_and(|v| !matches!(v.trim(), "" | "0"));
+        Self { level, threads, debug, ..default }.checked()
     }
 
     /// The same with another instruction set.
@@ -68,6 +72,12 @@ impl Config {
     #[must_use]
     pub const fn with_general_plan(self, general_plan: bool) -> Self {
         Self { general_plan, ..self }
+    }
+
+    /// The same with errors and advice written to standard error, or not.
+    #[must_use]
+    pub const fn with_debug(self, debug: bool) -> Self {
+        Self { debug, ..self }
     }
 
     /// The same with other buffers.

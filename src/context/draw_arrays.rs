@@ -106,6 +106,10 @@ impl Engine {
         let enabled = self.client.arrays.pointers[Attribute::Vertex as usize].enabled;
         if enabled {
             self.pipe.worker.processor.batch.splat(&self.state.current, self.pipe.plan.needs);
+        } else {
+            self.note(
+                "nothing is drawn: no array has positions; call glEnableClientState(GL_VERTEX_ARRAY) first".to_string(),
+            );
         }
         enabled
     }
@@ -166,12 +170,26 @@ impl Engine {
         if count == 0 || !self.start_arrays() {
             return Ok(());
         }
-        let Self { render_modes, pipe, draw_workers, scene, client, buffers, framebuffer, config, queries, .. } = self;
+        let Self {
+            render_modes,
+            pipe,
+            draw_workers,
+            scene,
+            client,
+            buffers,
+            framebuffer,
+            config,
+            queries,
+            advised,
+            ..
+        } = self;
         let list = index_list(&client.arrays, buffers, count, type_, indices)?;
         // Only memory of unknown length needs to know which elements are drawn.
-        let range = if client.arrays.has_client_memory() { list.limits() } else { (0, u32::MAX) };
+        let limits = (client.arrays.has_client_memory() || *advised).then(|| list.limits());
+        let range = limits.unwrap_or((0, u32::MAX));
         let needs = pipe.plan.needs;
         let sources = Sources::new(&client.arrays, buffers, range, |place| Sources::wanted(place, needs));
+        let short = limits.and_then(|(_, last)| sources.too_short(last).map(|(place, there)| (place, there, last)));
         sources.defaults(&mut pipe.worker.processor.batch);
         let (threads, passed) = (config.threads, &mut queries.passed);
         Drawing { render_modes, pipe, draw_workers, scene, framebuffer, threads, passed }.draw(
@@ -179,6 +197,12 @@ impl Engine {
             mode,
             ElementOrder::List(list),
         );
+        if let Some((place, there, last)) = short {
+            self.note(format!(
+                "the indices go to element {last}, but the {} array has only {there} elements; zeros stand for the rest",
+                super::array_pointers::place_name(place)
+            ));
+        }
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 //! with "IsEnabled"). A row says which boolean of the state a capability is and what its change makes stale; the three
 //! commands only look it up.
 
+use super::arrays::is_array;
 use super::engine::Engine;
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum};
@@ -38,6 +39,7 @@ fn capability(state: &mut State, cap: GLenum) -> Option<(&mut bool, Dirty)> {
         GL_MULTISAMPLE => (&mut s.multisample.enabled, FRAGMENT),
         GL_NORMALIZE => (&mut s.transform.normalize, VERTEX),
         GL_POINT_SMOOTH => (&mut s.point.smooth, Dirty::ALL),
+        GL_POINT_SPRITE_ARB => (&mut s.point.sprite, RASTER),
         GL_POLYGON_OFFSET_POINT => (&mut s.polygon.offset[0], RASTER),
         GL_POLYGON_OFFSET_LINE => (&mut s.polygon.offset[1], RASTER),
         GL_POLYGON_OFFSET_FILL => (&mut s.polygon.offset[2], RASTER),
@@ -110,6 +112,9 @@ impl Engine {
     }
 
     fn set_capability(&mut self, cap: GLenum, on: bool) -> Outcome {
+        if is_array(cap) {
+            return self.set_client_state(cap, on);
+        }
         let (flag, stale) = capability(&mut self.state, cap).ok_or_else(|| unknown(cap))?;
         if *flag != on {
             *flag = on;

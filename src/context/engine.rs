@@ -13,6 +13,7 @@ use super::render_records::RenderModes;
 use super::texture_objects::Textures;
 use super::vertex_array_objects::VertexArrays;
 use super::whole_vertex::RasterPosProcessor;
+use crate::error::{Outcome, out_of_memory};
 use crate::fragment::program::Program;
 use crate::framebuffer::Framebuffer;
 use crate::limits::MAX_TEXTURE_LEVELS;
@@ -23,6 +24,7 @@ use crate::state::{Dirty, State};
 use crate::vertex::draw_worker::DrawWorker;
 use crate::vertex::pipeline::VertexPipeline;
 use crate::vertex::setup_job::SetupJobPool;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Client state: what `glPushClientAttrib` keeps (section 6.1.14).
@@ -85,12 +87,16 @@ pub(crate) struct Engine {
     pub(crate) program: Option<Arc<Program>>,
     /// Whether the scene has a draw of the present state.
     pub(crate) drawing: bool,
+    /// Whether the framebuffer has been drawn into, or will be, since somebody has looked at it.
+    pub(crate) unseen: bool,
     /// Bit u: some vertex has given unit u a q that is not 1. Set for good by the first one, so that programs that never
     /// use q never pay for it.
     pub(crate) q_units: u32,
-    /// Advice that the debug callback has not had yet, and the last advice given.
+    /// Advice that the debug callback has not had yet, and all that was given.
     pub(crate) notes: Vec<String>,
-    pub(crate) last_note: String,
+    pub(crate) told: BTreeSet<String>,
+    /// Whether somebody hears advice: what costs something to find out is looked for only then.
+    pub(crate) advised: bool,
     /// Where what is done is counted, if somebody wants to know.
     pub(crate) tally: Option<Tally>,
     /// Tables and filters of the imaging subset.
@@ -104,14 +110,15 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// An engine in the initial state with a framebuffer of a size. Where there is no memory for such a framebuffer it
-    /// has no pixels, and a note says so.
-    pub(crate) fn new(width: u32, height: u32, config: Config) -> Self {
+    /// An engine in the initial state with a framebuffer of a size. Where there can be no such framebuffer it has no
+    /// pixels, and the second value says why.
+    pub(crate) fn new(width: u32, height: u32, config: Config) -> (Self, Outcome) {
         let config = config.checked();
-        let framebuffer = Framebuffer::new(width, height, config.format)
-            .or_else(|_| Framebuffer::new(0, 0, config.format))
-            .unwrap_or_else(|_| Framebuffer::empty(config.format));
-        Self::with_framebuffer(framebuffer, config)
+        let (framebuffer, outcome) = match Framebuffer::new(width, height, config.format) {
+            Ok(framebuffer) => (framebuffer, Ok(())),
+            Err(error) => (Framebuffer::empty(config.format), Err(out_of_memory(error.message))),
+        };
+        (Self::with_framebuffer(framebuffer, config), outcome)
     }
 
     /// An engine in the initial state that draws into a framebuffer.
@@ -137,9 +144,11 @@ impl Engine {
             scene: Scene::new(config.threads, config.batch_cut, config.level),
             program: None,
             drawing: false,
+            unseen: false,
             q_units: 0,
             notes: Vec::new(),
-            last_note: String::new(),
+            told: BTreeSet::new(),
+            advised: false,
             tally: None,
             imaging: Box::default(),
             render_modes: RenderModes::default(),

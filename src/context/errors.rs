@@ -134,6 +134,13 @@ impl Context {
         }
     }
 
+    /// Hands advice to the debug callback, once.
+    #[track_caller]
+    pub(crate) fn advise_once(&mut self, name: &'static str, message: String) {
+        self.engine.note(message);
+        self.deliver(name);
+    }
+
     /// The value of a command, after its error has been noted.
     #[inline]
     #[track_caller]
@@ -217,6 +224,7 @@ impl Context {
 
     /// Calls `callback` with every error (and with advice about what will not draw) as it happens; `None` ends that.
     pub fn set_debug_callback(&mut self, callback: Option<DebugCallback>) {
+        self.engine.advised = callback.is_some();
         self.debug = callback;
     }
 }

@@ -41,6 +41,7 @@ impl Engine {
             accum: has(GL_ACCUM_BUFFER_BIT).then_some(s.accum.clear),
         };
         let scissor = self.scissor_rect();
+        self.unseen = true;
         self.framebuffer.defer_clear(&clear, scissor)
     }
 
@@ -61,6 +62,7 @@ impl Engine {
         let rect = self.scissor_rect().unwrap_or_else(|| self.framebuffer.rect(0, 0, i32::MAX, i32::MAX));
         let none = self.state.color_buffer.draw_buffer == ColorBufferName::None;
         let mask = if none { [false; 4] } else { self.state.color_buffer.color_mask };
+        self.unseen = true;
         self.framebuffer.accumulate(op, value, rect, mask)
     }
 

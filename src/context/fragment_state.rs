@@ -2,13 +2,14 @@
 //! op, masks, clear values, draw and read buffer.
 
 use super::engine::Engine;
-use crate::enums::{GL_NONE, GLenum};
+use crate::enums::{GL_FRONT_AND_BACK, GL_NONE, GLenum};
 use crate::error::{Outcome, invalid_operation, known, not_one};
 use crate::num::clamp01;
 use crate::state::Dirty;
 use crate::state::color_buffer::{BlendEquation, BlendFactor, ColorBufferName, LogicOp};
 use crate::state::compare::CompareFunc;
 use crate::state::depth_stencil::StencilOp;
+use crate::state::raster::Face;
 
 const FRAGMENT: Dirty = Dirty { vertex: false, fragment: true, raster: false };
 
@@ -47,8 +48,12 @@ impl Engine {
     }
 
     pub(crate) fn blend_equation(&mut self, mode: GLenum) -> Outcome {
-        let equation = known(BlendEquation::from_gl(mode), mode, "a blend equation")?;
-        self.state.color_buffer.blend_equation = equation;
+        self.blend_equation_separate(mode, mode)
+    }
+
+    pub(crate) fn blend_equation_separate(&mut self, rgb: GLenum, alpha: GLenum) -> Outcome {
+        let equation = |mode| known(BlendEquation::from_gl(mode), mode, "a blend equation");
+        self.state.color_buffer.blend_equation = [equation(rgb)?, equation(alpha)?];
         self.dirty.add(FRAGMENT);
         Ok(())
     }
@@ -70,18 +75,36 @@ impl Engine {
     }
 
     pub(crate) fn stencil_func(&mut self, func: GLenum, reference: i32, mask: u32) -> Outcome {
-        let func = compare_function(func)?;
+        self.stencil_func_separate(func, func, reference, mask)
+    }
+
+    /// The reference value and the mask are those of both faces.
+    pub(crate) fn stencil_func_separate(&mut self, front: GLenum, back: GLenum, reference: i32, mask: u32) -> Outcome {
+        let (front, back) = (compare_function(front)?, compare_function(back)?);
         let stencil = &mut self.state.stencil;
-        (stencil.func, stencil.reference, stencil.value_mask) = (func, reference, mask);
+        (stencil.faces[0].func, stencil.faces[1].func) = (front, back);
+        (stencil.reference, stencil.value_mask) = (reference, mask);
         self.dirty.add(FRAGMENT);
         Ok(())
     }
 
     pub(crate) fn stencil_op(&mut self, fail: GLenum, depth_fail: GLenum, depth_pass: GLenum) -> Outcome {
-        let known = |op| known(StencilOp::from_gl(op), op, "a stencil operation");
-        let (fail, depth_fail, depth_pass) = (known(fail)?, known(depth_fail)?, known(depth_pass)?);
-        let stencil = &mut self.state.stencil;
-        (stencil.fail, stencil.depth_fail, stencil.depth_pass) = (fail, depth_fail, depth_pass);
+        self.stencil_op_separate(GL_FRONT_AND_BACK, fail, depth_fail, depth_pass)
+    }
+
+    pub(crate) fn stencil_op_separate(
+        &mut self,
+        face: GLenum,
+        fail: GLenum,
+        depth_fail: GLenum,
+        depth_pass: GLenum,
+    ) -> Outcome {
+        let chosen = known(Face::from_gl(face), face, "a face: GL_FRONT, GL_BACK or GL_FRONT_AND_BACK")?.chosen();
+        let op = |op| known(StencilOp::from_gl(op), op, "a stencil operation");
+        let (fail, depth_fail, depth_pass) = (op(fail)?, op(depth_fail)?, op(depth_pass)?);
+        for (face, _) in self.state.stencil.faces.iter_mut().zip(chosen).filter(|(_, chosen)| *chosen) {
+            (face.fail, face.depth_fail, face.depth_pass) = (fail, depth_fail, depth_pass);
+        }
         self.dirty.add(FRAGMENT);
         Ok(())
     }

@@ -68,6 +68,7 @@ fn raster(s: &State, pname: GLenum) -> Option<Values> {
         GL_FOG_END => Values::float(s.fog.end),
         GL_FOG_MODE => Values::enumerant(s.fog.mode.gl()),
         GL_FOG_COORD_SRC => Values::enumerant(s.fog.coord_source.gl()),
+        GL_FOG_DISTANCE_MODE_NV => Values::enumerant(s.fog.distance_mode.gl()),
         GL_SHADE_MODEL => Values::enumerant(l.shade_model.gl()),
         GL_COLOR_MATERIAL_FACE => Values::enumerant(l.color_material_face.gl()),
         GL_COLOR_MATERIAL_PARAMETER => Values::enumerant(l.color_material_mode.gl()),
@@ -116,12 +117,16 @@ fn fragment(s: &State, pname: GLenum) -> Option<Values> {
         GL_SCISSOR_BOX => Values::ints(&[s.scissor.x, s.scissor.y, s.scissor.width, s.scissor.height]),
         GL_ALPHA_TEST_FUNC => Values::enumerant(c.alpha_func.gl()),
         GL_ALPHA_TEST_REF => Values::unit(&[c.alpha_ref]),
-        GL_STENCIL_FUNC => Values::enumerant(st.func.gl()),
+        GL_STENCIL_FUNC => Values::enumerant(st.faces[0].func.gl()),
+        GL_STENCIL_BACK_FUNC_ATI => Values::enumerant(st.faces[1].func.gl()),
         GL_STENCIL_VALUE_MASK => Values::uint(st.value_mask),
         GL_STENCIL_REF => Values::int(st.reference.clamp(0, 255)),
-        GL_STENCIL_FAIL => Values::enumerant(st.fail.gl()),
-        GL_STENCIL_PASS_DEPTH_FAIL => Values::enumerant(st.depth_fail.gl()),
-        GL_STENCIL_PASS_DEPTH_PASS => Values::enumerant(st.depth_pass.gl()),
+        GL_STENCIL_FAIL => Values::enumerant(st.faces[0].fail.gl()),
+        GL_STENCIL_BACK_FAIL_ATI => Values::enumerant(st.faces[1].fail.gl()),
+        GL_STENCIL_PASS_DEPTH_FAIL => Values::enumerant(st.faces[0].depth_fail.gl()),
+        GL_STENCIL_BACK_PASS_DEPTH_FAIL_ATI => Values::enumerant(st.faces[1].depth_fail.gl()),
+        GL_STENCIL_PASS_DEPTH_PASS => Values::enumerant(st.faces[0].depth_pass.gl()),
+        GL_STENCIL_BACK_PASS_DEPTH_PASS_ATI => Values::enumerant(st.faces[1].depth_pass.gl()),
         GL_STENCIL_WRITEMASK => Values::uint(st.write_mask),
         GL_STENCIL_CLEAR_VALUE => Values::int(st.clear),
         GL_DEPTH_FUNC => Values::enumerant(s.depth.func.gl()),
@@ -131,7 +136,8 @@ fn fragment(s: &State, pname: GLenum) -> Option<Values> {
         GL_BLEND_SRC_ALPHA => Values::enumerant(c.blend_src[1].gl()),
         GL_BLEND_DST | GL_BLEND_DST_RGB => Values::enumerant(c.blend_dst[0].gl()),
         GL_BLEND_DST_ALPHA => Values::enumerant(c.blend_dst[1].gl()),
-        GL_BLEND_EQUATION => Values::enumerant(c.blend_equation.gl()),
+        GL_BLEND_EQUATION => Values::enumerant(c.blend_equation[0].gl()),
+        GL_BLEND_EQUATION_ALPHA_EXT => Values::enumerant(c.blend_equation[1].gl()),
         GL_BLEND_COLOR => Values::unit(&c.blend_color),
         GL_LOGIC_OP_MODE => Values::enumerant(c.logic_op.gl()),
         GL_COLOR_WRITEMASK => Values::booleans(&c.color_mask),
@@ -193,6 +199,9 @@ impl Engine {
         Some(match pname {
             GL_ATTRIB_STACK_DEPTH => Values::int(self.attributes.depth() as i32),
             GL_CLIENT_ATTRIB_STACK_DEPTH => Values::int(self.client_attributes.len() as i32),
+            GL_POLYGON_OFFSET_BIAS_EXT => {
+                Values::float((f64::from(self.state.polygon.offset_units) / self.depth_units()) as f32)
+            }
             GL_ZOOM_X => Values::float(self.state.pixel.zoom[0]),
             GL_ZOOM_Y => Values::float(self.state.pixel.zoom[1]),
             _ => {

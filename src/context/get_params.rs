@@ -58,7 +58,9 @@ impl Engine {
             GL_TEXTURE_ENV => env_value(env, pname).ok_or_else(|| wrong("a texture environment parameter", pname)),
             GL_TEXTURE_FILTER_CONTROL if pname == GL_TEXTURE_LOD_BIAS => Ok(Values::float(env.lod_bias)),
             GL_TEXTURE_FILTER_CONTROL => Err(wrong("GL_TEXTURE_LOD_BIAS, the parameter of that target", pname)),
-            _ => Err(wrong("GL_TEXTURE_ENV or GL_TEXTURE_FILTER_CONTROL", target)),
+            GL_POINT_SPRITE_ARB if pname == GL_COORD_REPLACE_ARB => Ok(Values::boolean(env.coord_replace)),
+            GL_POINT_SPRITE_ARB => Err(wrong("GL_COORD_REPLACE_ARB, the parameter of that target", pname)),
+            _ => Err(wrong("GL_TEXTURE_ENV, GL_TEXTURE_FILTER_CONTROL or GL_POINT_SPRITE_ARB", target)),
         }
     }
 

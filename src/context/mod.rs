@@ -55,6 +55,7 @@ pub(crate) mod recorder;
 pub(crate) mod render_modes;
 pub(crate) mod render_records;
 pub(crate) mod show;
+pub(crate) mod standard_error;
 pub mod table;
 pub(crate) mod tex_image;
 pub(crate) mod tex_query;
@@ -129,21 +130,48 @@ pub struct Context {
 }
 
 impl Context {
-    /// A context in GL's initial state with a framebuffer of a size.
+    /// A context in GL's initial state with a framebuffer of a size. Where there can be no such framebuffer, its size is
+    /// 0 by 0 and the error `OUT_OF_MEMORY` is recorded, which [`check`](Self::check) reports; [`try_new`](Self::try_new)
+    /// returns it.
     #[must_use]
+    #[track_caller]
     pub fn new(width: u32, height: u32) -> Self {
         Self::with_config(width, height, Config::from_env())
     }
 
     /// The same, run as a [`Config`] says.
     #[must_use]
+    #[track_caller]
     pub fn with_config(width: u32, height: u32, config: Config) -> Self {
-        Self::from_engine(Engine::new(width, height, config))
+        let (engine, outcome) = Engine::new(width, height, config);
+        let mut cx = Self::from_engine(engine);
+        cx.record_result("Context::new", outcome);
+        cx
+    }
+
+    /// A context in GL's initial state with a framebuffer of a size.
+    ///
+    /// # Errors
+    /// `OUT_OF_MEMORY` if a side is beyond the limit of 16384 pixels, or if there is not enough memory.
+    #[track_caller]
+    pub fn try_new(width: u32, height: u32) -> Result<Self, Error> {
+        Self::try_with_config(width, height, Config::from_env())
+    }
+
+    /// The same, run as a [`Config`] says.
+    ///
+    /// # Errors
+    /// See [`try_new`](Self::try_new).
+    #[track_caller]
+    pub fn try_with_config(width: u32, height: u32, config: Config) -> Result<Self, Error> {
+        let mut cx = Self::with_config(width, height, config);
+        cx.check().map(|()| cx)
     }
 
     /// A context around an engine.
     pub(crate) fn from_engine(engine: Engine) -> Self {
-        Self {
+        let debug = engine.config.debug;
+        let mut cx = Self {
             engine,
             flags: CallFlags::default(),
             error: None,
@@ -151,7 +179,11 @@ impl Context {
             debug: None,
             trace: None,
             traced: std::sync::Weak::new(),
+        };
+        if debug {
+            cx.set_debug_callback(Some(standard_error::callback()));
         }
+        cx
     }
 }
 

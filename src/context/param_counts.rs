@@ -59,7 +59,13 @@ pub(crate) fn material(pname: GLenum) -> usize {
 pub(crate) fn fog(pname: GLenum) -> usize {
     match pname {
         GL_FOG_COLOR => 4,
-        GL_FOG_MODE | GL_FOG_DENSITY | GL_FOG_START | GL_FOG_END | GL_FOG_INDEX | GL_FOG_COORD_SRC => 1,
+        GL_FOG_DISTANCE_MODE_NV
+        | GL_FOG_MODE
+        | GL_FOG_DENSITY
+        | GL_FOG_START
+        | GL_FOG_END
+        | GL_FOG_INDEX
+        | GL_FOG_COORD_SRC => 1,
         _ => 0,
     }
 }
@@ -96,10 +102,11 @@ pub(crate) fn tex_env(pname: GLenum) -> usize {
         | GL_TEXTURE_LOD_BIAS
         | GL_COMBINE_RGB
         | GL_COMBINE_ALPHA
-        | GL_SRC0_RGB..=GL_SRC2_RGB
-        | GL_SRC0_ALPHA..=GL_SRC2_ALPHA
-        | GL_OPERAND0_RGB..=GL_OPERAND2_RGB
-        | GL_OPERAND0_ALPHA..=GL_OPERAND2_ALPHA
+        | GL_SRC0_RGB..=GL_SOURCE3_RGB_NV
+        | GL_SRC0_ALPHA..=GL_SOURCE3_ALPHA_NV
+        | GL_OPERAND0_RGB..=GL_OPERAND3_RGB_NV
+        | GL_OPERAND0_ALPHA..=GL_OPERAND3_ALPHA_NV
+        | GL_COORD_REPLACE_ARB
         | GL_RGB_SCALE
         | GL_ALPHA_SCALE => 1,
         _ => 0,

@@ -246,6 +246,7 @@ impl Engine {
     fn draw_fragments(&mut self, placed: &Placement, values: PixelValues, raster: RasterState) {
         self.take_raster_q();
         self.run_vertices();
+        self.unseen = true;
         let ([x, y], [width, height]) = (placed.origin, placed.size().map(|n| i32::try_from(n).unwrap_or(0)));
         let image = PixelRect { width: width.unsigned_abs(), values };
         let memory = image.memory();

@@ -9,7 +9,7 @@ use crate::error::{Outcome, invalid_enum, invalid_value, too_short};
 use crate::limits::{MAX_CLIP_PLANES, MAX_VIEWPORT_DIM};
 use crate::num::clamp01;
 use crate::state::Dirty;
-use crate::state::fog::{FogCoordSource, FogMode};
+use crate::state::fog::{FogCoordSource, FogDistanceMode, FogMode};
 use crate::state::raster::{Face, HintMode, PolygonMode, Winding};
 use glam::{DMat4, DVec4};
 
@@ -86,6 +86,17 @@ impl Engine {
         self.dirty.add(RASTER);
     }
 
+    /// The same with the constant part in depths instead of smallest differences.
+    pub(crate) fn polygon_offset_ext(&mut self, factor: f32, bias: f32) {
+        let units = bias * self.depth_units() as f32;
+        self.polygon_offset(factor, units);
+    }
+
+    /// How many units of polygon offset the range of depths has.
+    pub(crate) fn depth_units(&self) -> f64 {
+        f64::from(self.framebuffer.format().depth_max())
+    }
+
     /// The pattern, already unpacked: 32 rows, lowest first, the highest bit of a row leftmost.
     pub(crate) fn set_polygon_stipple(&mut self, rows: [u32; 32]) {
         self.state.polygon_stipple.0 = rows;
@@ -155,6 +166,11 @@ impl Engine {
                 let source = params.enumerant()?;
                 let names = FogCoordSource::ALL.map(FogCoordSource::name);
                 fog.coord_source = one_of(FogCoordSource::from_gl(source), source, names, "fog coordinate source")?;
+            }
+            GL_FOG_DISTANCE_MODE_NV => {
+                let mode = params.enumerant()?;
+                let names = FogDistanceMode::ALL.map(FogDistanceMode::name);
+                fog.distance_mode = one_of(FogDistanceMode::from_gl(mode), mode, names, "fog distance mode")?;
             }
             GL_FOG_COLOR => {
                 params.vector_only("Fog", pname)?;

@@ -34,6 +34,7 @@ fn level_value(format: Option<&InternalFormat>, size: [u32; 3], border: u32, pna
         GL_TEXTURE_LUMINANCE_SIZE => Values::int(i32::from(sizes.luminance)),
         GL_TEXTURE_INTENSITY_SIZE => Values::int(i32::from(sizes.intensity)),
         GL_TEXTURE_DEPTH_SIZE => Values::int(i32::from(sizes.depth)),
+        GL_TEXTURE_STENCIL_SIZE_EXT => Values::int(format.map_or(0, |f| i32::from(f.stencil_bits))),
         GL_TEXTURE_COMPRESSED => Values::boolean(format.is_some_and(InternalFormat::is_compressed)),
         _ => return None,
     })

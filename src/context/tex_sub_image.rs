@@ -156,7 +156,7 @@ impl Engine {
     ) -> Outcome {
         let place = not_proxy(place)?;
         let format = InternalFormat::of_copy_tex_image(internal_format)?;
-        self.check_source(format.base)?;
+        self.check_source(format)?;
         if format.base != BaseFormat::Depth && self.uses_imaging() {
             let Some(image) = self.copied(place, from, [size[0], size[1]])? else { return Ok(()) };
             let size = image.size_3d(1);
@@ -228,7 +228,7 @@ impl Engine {
     ) -> Outcome {
         let place = not_proxy(place)?;
         let (level, image) = self.existing_image(place, level)?;
-        self.check_source(image.base)?;
+        self.check_source(image.format)?;
         if image.base != BaseFormat::Depth && self.uses_imaging() {
             drop(image);
             let Some(image) = self.copied(place, from, size)? else { return Ok(()) };
@@ -268,11 +268,14 @@ impl Engine {
     }
 
     /// A depth texture is copied from the depth buffer, any other from the colour buffer.
-    fn check_source(&self, base: BaseFormat) -> Outcome {
-        if base == BaseFormat::Depth && self.framebuffer.format().depth_bits == 0 {
-            return Err(invalid_operation("a depth texture cannot be copied: the framebuffer has no depth buffer"));
-        }
-        Ok(())
+    fn check_source(&self, format: &InternalFormat) -> Outcome {
+        let bits = self.framebuffer.format();
+        let missing = match format.base {
+            BaseFormat::Depth if bits.depth_bits == 0 => "depth",
+            BaseFormat::Depth if format.stencil_bits > 0 && bits.stencil_bits == 0 => "stencil",
+            _ => return Ok(()),
+        };
+        Err(invalid_operation(format!("the texture cannot be copied: the framebuffer has no {missing} buffer")))
     }
 
     /// Rows of the framebuffer from `from` into an image at `to`. What lies outside the framebuffer is undefined by the
@@ -280,7 +283,7 @@ impl Engine {
     fn copy_rows(&self, image: &mut Image, to: [i32; 3], from: [i32; 2], size: [i32; 2]) -> Outcome {
         let transfer = self.transfer();
         let count = size[0].max(0) as usize;
-        let (mut depths, mut depths32) = (vec![0.0; count], vec![0.0; count]);
+        let (mut depths, mut depths32, mut stencils) = (vec![0.0; count], vec![0.0; count], vec![0; count]);
         let (mut texels, mut floats) = (vec![0; count], vec![[0.0; 4]; count]);
         for row in 0..size[1].max(0) {
             let at = [to[0], to[1] + row, to[2]];
@@ -289,6 +292,10 @@ impl Engine {
                 self.framebuffer.read_depth(from[0], y, &mut depths);
                 depths32.iter_mut().zip(&depths).for_each(|(to, from)| *to = *from as f32);
                 image.write_depths(at, &mut depths32, transfer);
+                if image.stencil.is_some() {
+                    self.framebuffer.read_stencil(from[0], y, &mut stencils);
+                    image.write_stencils(at, &stencils, transfer);
+                }
             } else if self.framebuffer.format().float {
                 self.framebuffer.read_float(from[0], y, &mut floats);
                 image.write_colors(at, &mut floats, transfer);

@@ -41,8 +41,16 @@ impl Engine {
         match target {
             GL_TEXTURE_ENV => set_env(env, pname, params)?,
             GL_TEXTURE_FILTER_CONTROL if pname == GL_TEXTURE_LOD_BIAS => env.lod_bias = params.scalar()?,
+            GL_POINT_SPRITE_ARB if pname == GL_COORD_REPLACE_ARB => {
+                env.coord_replace = match params.enumerant()? {
+                    0 => false,
+                    1 => true,
+                    _ => return Err(invalid_value("GL_COORD_REPLACE_ARB is GL_TRUE or GL_FALSE")),
+                };
+            }
+            GL_POINT_SPRITE_ARB => return Err(wrong("GL_COORD_REPLACE_ARB, the parameter of that target", pname)),
             GL_TEXTURE_FILTER_CONTROL => return Err(wrong("GL_TEXTURE_LOD_BIAS, the parameter of that target", pname)),
-            _ => return Err(wrong("GL_TEXTURE_ENV or GL_TEXTURE_FILTER_CONTROL", target)),
+            _ => return Err(wrong("GL_TEXTURE_ENV, GL_TEXTURE_FILTER_CONTROL or GL_POINT_SPRITE_ARB", target)),
         }
         self.dirty = Dirty::ALL;
         Ok(())
@@ -80,21 +88,31 @@ pub(crate) fn coordinate_index(coord: GLenum) -> Outcome<usize> {
     if index < 4 { Ok(index) } else { Err(wrong("GL_S, GL_T, GL_R or GL_Q", coord)) }
 }
 
-const SOURCES: [[GLenum; 2]; 3] =
-    [[GL_SOURCE0_RGB, GL_SOURCE0_ALPHA], [GL_SOURCE1_RGB, GL_SOURCE1_ALPHA], [GL_SOURCE2_RGB, GL_SOURCE2_ALPHA]];
-const OPERANDS: [[GLenum; 2]; 3] =
-    [[GL_OPERAND0_RGB, GL_OPERAND0_ALPHA], [GL_OPERAND1_RGB, GL_OPERAND1_ALPHA], [GL_OPERAND2_RGB, GL_OPERAND2_ALPHA]];
+const SOURCES: [[GLenum; 2]; 4] = [
+    [GL_SOURCE0_RGB, GL_SOURCE0_ALPHA],
+    [GL_SOURCE1_RGB, GL_SOURCE1_ALPHA],
+    [GL_SOURCE2_RGB, GL_SOURCE2_ALPHA],
+    [GL_SOURCE3_RGB_NV, GL_SOURCE3_ALPHA_NV],
+];
+const OPERANDS: [[GLenum; 2]; 4] = [
+    [GL_OPERAND0_RGB, GL_OPERAND0_ALPHA],
+    [GL_OPERAND1_RGB, GL_OPERAND1_ALPHA],
+    [GL_OPERAND2_RGB, GL_OPERAND2_ALPHA],
+    [GL_OPERAND3_RGB_NV, GL_OPERAND3_ALPHA_NV],
+];
 
 /// Where in a table of names (argument by RGB or alpha) a name stands.
-fn find(table: &[[GLenum; 2]; 3], pname: GLenum) -> Option<(usize, usize)> {
-    (0..3).flat_map(|i| [(i, 0), (i, 1)]).find(|&(i, k)| table[i][k] == pname)
+fn find(table: &[[GLenum; 2]; 4], pname: GLenum) -> Option<(usize, usize)> {
+    (0..4).flat_map(|i| [(i, 0), (i, 1)]).find(|&(i, k)| table[i][k] == pname)
 }
 
 fn set_env(env: &mut Env, pname: GLenum, params: &Params) -> Outcome {
     match pname {
         GL_TEXTURE_ENV_MODE => {
             let value = params.enumerant()?;
-            env.mode = known(EnvMode::from_gl(value), value, "a texture environment mode")?;
+            // EXT_texture has a number of its own for REPLACE.
+            let mode = if value == GL_REPLACE_EXT { GL_REPLACE } else { value };
+            env.mode = known(EnvMode::from_gl(mode), value, "a texture environment mode")?;
         }
         GL_TEXTURE_ENV_COLOR => {
             params.vector_only("TexEnv", pname)?;

@@ -72,8 +72,8 @@ impl Engine {
             match self.textures.named.get(&texture) {
                 Some(Some(object)) if object.target != to => {
                     return Err(invalid_operation(format!(
-                        "texture {texture} is a {:?} texture and cannot be bound to {}; a name keeps its first target",
-                        object.target,
+                        "texture {texture} is a texture of {} and cannot be bound to {}; a name keeps its first target",
+                        name(object.target.gl()),
                         name(target)
                     )));
                 }

@@ -3,7 +3,7 @@
 //! Begin/End pairs and those that a display list only records are traced like all others, replayed ones are not.
 
 use super::Context;
-use super::show::Show;
+use super::show::{Names, Show};
 use crate::fragment::explain::in_one_line;
 use std::panic::Location;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub struct Call {
     /// The command's name in C.
     pub name: &'static str,
-    /// The arguments as text: enumerants by name, long arrays cut.
+    /// The arguments as text: enumerants and bits of masks by name, long arrays cut.
     pub args: String,
     /// The caller's file.
     pub file: &'static str,
@@ -51,11 +51,12 @@ impl Context {
             callback(&Call { name: "plan", args, file: place.file(), line: place.line() });
         }
         let mut text = String::new();
-        for (i, (_, value)) in args.iter().enumerate() {
+        let pname = args.iter().find(|arg| arg.0 == "pname").and_then(|arg| arg.1.enumerant());
+        for (i, (argument, value)) in args.iter().enumerate() {
             if i > 0 {
                 text.push_str(", ");
             }
-            value.show(&mut text);
+            value.show(&mut text, Names::of(name, argument, pname));
         }
         callback(&Call { name, args: text, file: place.file(), line: place.line() });
     }

@@ -18,6 +18,9 @@ use crate::texture::sampler;
 use crate::vertex::plan::Wants;
 use std::sync::Arc;
 
+/// How many pieces of advice are remembered, so that none is given twice.
+const ADVICE: usize = 64;
+
 /// The target that applies to a unit: of the enabled ones the last in the order of precedence.
 fn effective_target(enabled: [bool; 5]) -> Option<Target> {
     Target::ALL.into_iter().rev().find(|target| enabled[*target as usize])
@@ -26,6 +29,7 @@ fn effective_target(enabled: [bool; 5]) -> Option<Target> {
 impl Engine {
     /// Brings the plans up to date with the state. Vertices that still wait run by the old plans first.
     pub(crate) fn validate(&mut self) {
+        self.unseen = true;
         if !self.dirty.any() && self.drawing {
             return;
         }
@@ -137,10 +141,7 @@ impl Engine {
             },
             Err(why) => why.to_string(),
         };
-        self.note(format!(
-            "texture unit {unit} draws without its {} texture {texture}: {why}",
-            name(target_name(target))
-        ));
+        self.note(format!("texture unit {unit} draws without its {} texture {texture}: {why}", name(target.gl())));
         false
     }
 
@@ -175,6 +176,16 @@ impl Engine {
         self.framebuffer.apply_deferred_clear();
     }
 
+    /// Forgets everything that was drawn and has not reached the framebuffer, whose colours are not touched.
+    #[cfg_attr(not(feature = "capi"), expect(dead_code, reason = "only C hands over its own memory"))]
+    pub(crate) fn discard_scene(&mut self) {
+        self.queries.passed += self.scene.wait(&mut self.framebuffer);
+        self.pipe.run(&mut self.scene);
+        self.scene.discard();
+        self.framebuffer.forget_deferred_clear();
+        self.unseen = false;
+    }
+
     /// Lets go of the plans of draws that are done, so that a texture that is written next is not held by them and need
     /// not be copied.
     pub(crate) fn release_draws(&mut self) {
@@ -185,10 +196,12 @@ impl Engine {
         }
     }
 
-    /// Keeps advice for the debug callback. The same advice is not given twice in a row, and not without end.
+    /// Keeps advice for the debug callback. The same advice is given once (or again after [`ADVICE`] others).
     pub(crate) fn note(&mut self, text: String) {
-        if self.notes.len() < 64 && self.last_note != text {
-            self.last_note.clone_from(&text);
+        if self.told.len() >= ADVICE {
+            self.told.clear();
+        }
+        if self.notes.len() < ADVICE && self.told.insert(text.clone()) {
             self.notes.push(text);
         }
     }
@@ -201,17 +214,5 @@ impl Engine {
     /// The advice since the last time.
     pub(crate) fn take_notes(&mut self) -> Vec<String> {
         std::mem::take(&mut self.notes)
-    }
-}
-
-/// The name of a target in GL.
-pub(crate) const fn target_name(target: Target) -> u32 {
-    use crate::enums::*;
-    match target {
-        Target::D1 => GL_TEXTURE_1D,
-        Target::D2 => GL_TEXTURE_2D,
-        Target::Rectangle => GL_TEXTURE_RECTANGLE_ARB,
-        Target::D3 => GL_TEXTURE_3D,
-        Target::Cube => GL_TEXTURE_CUBE_MAP,
     }
 }

@@ -51,6 +51,8 @@ pub struct FragmentBatch {
     pub depth: [u32; LANES],
     /// What the stencil buffer holds, then what it is to hold.
     pub stencil: [u32; LANES],
+    /// All ones where a lane belongs to the back face of a polygon; written by the stencil test if the faces differ.
+    pub back: [u32; LANES],
     /// The mask as it was before the stencil test and, second, before the depth test.
     pub before: [[u32; LANES]; 2],
     /// Secondary colour RGB.
@@ -97,6 +99,7 @@ impl FragmentBatch {
             z: [0; LANES],
             depth: [0; LANES],
             stencil: [0; LANES],
+            back: [0; LANES],
             before: [[0; LANES]; 2],
             secondary: [Z; 3],
             fog: Z,

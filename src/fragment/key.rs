@@ -12,8 +12,10 @@ use crate::texture::uniforms::WrappedImage;
 pub struct Tests {
     /// Alpha test.
     pub alpha: Option<CompareFunc>,
-    /// Stencil test.
-    pub stencil: Option<CompareFunc>,
+    /// Stencil test of front and of back faces.
+    pub stencil: Option<[CompareFunc; 2]>,
+    /// Whether the stencil test or what it writes differs between front and back faces.
+    pub two_sided: bool,
     /// Whether stencil values may change.
     pub stencil_write: bool,
     /// Depth test.

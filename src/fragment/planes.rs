@@ -171,6 +171,8 @@ pub struct Planes {
     pub d: Linear,
     /// Whether D is exactly 1 everywhere.
     pub affine: bool,
+    /// Whether it is the back face of a polygon, or a part of one in polygon mode point or line.
+    pub back: bool,
     /// Bit u: unit u's coordinates need f64 evaluation (their range in texels and of w is too wide for f32).
     /// [`Planes::WIDE_W`]: the range of w alone is too wide, so colours and fog coordinate need it too.
     pub wide: u32,

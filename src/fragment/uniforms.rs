@@ -57,6 +57,13 @@ pub struct StencilUniforms {
     pub value_mask: u32,
     /// Which bits are written.
     pub write_mask: u32,
+    /// What becomes of the values under front faces (with points and lines) and under back faces.
+    pub faces: [StencilOps; 2],
+}
+
+/// What becomes of a stencil value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StencilOps {
     /// Operation where the stencil test fails.
     pub fail: StencilOp,
     /// Operation where the depth test fails.
@@ -72,8 +79,8 @@ pub struct BlendUniforms {
     pub src: [BlendFactor; 2],
     /// Destination factors of RGB and alpha.
     pub dst: [BlendFactor; 2],
-    /// The equation.
-    pub equation: BlendEquation,
+    /// The equations of RGB and alpha.
+    pub equation: [BlendEquation; 2],
     /// The constant colour.
     pub color: [f32; 4],
 }

@@ -43,6 +43,11 @@ impl Framebuffer {
         self.deferred.is_some()
     }
 
+    /// Forgets the deferred clear.
+    pub fn forget_deferred_clear(&mut self) {
+        self.deferred = None;
+    }
+
     /// Carries out the deferred clear, if there is one.
     pub fn apply_deferred_clear(&mut self) {
         if self.deferred.is_some() {

@@ -71,6 +71,20 @@ pub fn pick_matrix_matrix(x: f64, y: f64, width: f64, height: f64, viewport: &[i
 pub fn perspective(cx: &mut Context, fovy: f64, aspect: f64, near: f64, far: f64) {
     if let Some(m) = perspective_matrix(fovy, aspect, near, far) {
         cx.mult_matrixd(&m);
+    } else {
+        cx.advise_once(
+            "gluPerspective",
+            format!("nothing is done: there is no view of {fovy} degrees, aspect {aspect}, from {near} to {far}"),
+        );
+    }
+    // GLU has no error for it: all depths become the same, or what is behind the eye is seen.
+    if !(near > 0.0 && far > 0.0) {
+        cx.advise_once(
+            "gluPerspective",
+            format!(
+                "near is {near} and far is {far}: both must be positive, or no depth is right; use a near like 0.1"
+            ),
+        );
     }
 }
 
@@ -91,6 +105,11 @@ pub fn look_at(cx: &mut Context, eye: [f64; 3], center: [f64; 3], up: [f64; 3]) 
 pub fn pick_matrix(cx: &mut Context, x: f64, y: f64, width: f64, height: f64, viewport: &[i32; 4]) {
     if let Some(m) = pick_matrix_matrix(x, y, width, height, viewport) {
         cx.mult_matrixd(&m);
+    } else {
+        cx.advise_once(
+            "gluPickMatrix",
+            format!("nothing is done: a region of {width} x {height} pixels; both must be positive"),
+        );
     }
 }
 

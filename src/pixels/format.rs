@@ -48,6 +48,8 @@ pub enum Format {
     Bgr,
     /// BGRA
     Bgra,
+    /// ABGR of EXT_abgr
+    Abgr,
     /// LUMINANCE
     Luminance,
     /// LUMINANCE_ALPHA
@@ -55,7 +57,7 @@ pub enum Format {
 }
 
 /// Every format with its name, its kind, and where each component goes in R, G, B, A (a luminance goes to R).
-const FORMATS: [(GLenum, Format, PixelKind, &[usize]); 14] = [
+const FORMATS: [(GLenum, Format, PixelKind, &[usize]); 15] = [
     (GL_COLOR_INDEX, Format::ColorIndex, PixelKind::Index, &[0]),
     (GL_STENCIL_INDEX, Format::StencilIndex, PixelKind::Stencil, &[0]),
     (GL_DEPTH_COMPONENT, Format::DepthComponent, PixelKind::Depth, &[0]),
@@ -68,6 +70,7 @@ const FORMATS: [(GLenum, Format, PixelKind, &[usize]); 14] = [
     (GL_RGBA, Format::Rgba, PixelKind::Color, &[0, 1, 2, 3]),
     (GL_BGR, Format::Bgr, PixelKind::Color, &[2, 1, 0]),
     (GL_BGRA, Format::Bgra, PixelKind::Color, &[2, 1, 0, 3]),
+    (GL_ABGR_EXT, Format::Abgr, PixelKind::Color, &[3, 2, 1, 0]),
     (GL_LUMINANCE, Format::Luminance, PixelKind::Color, &[0]),
     (GL_LUMINANCE_ALPHA, Format::LuminanceAlpha, PixelKind::Color, &[0, 3]),
 ];
@@ -127,7 +130,7 @@ const fn packing(name: GLenum, bits: [u32; 4], reversed: bool) -> Packing {
     Packing { name, bytes: total as usize / 8, bits, shifts }
 }
 
-/// The packed types. Three components go with RGB, four with RGBA and BGRA.
+/// The packed types. Three components go with RGB, four with RGBA, BGRA and ABGR.
 pub static PACKINGS: [Packing; 12] = [
     packing(GL_UNSIGNED_BYTE_3_3_2, [3, 3, 2, 0], false),
     packing(GL_UNSIGNED_BYTE_2_3_3_REV, [3, 3, 2, 0], true),
@@ -237,12 +240,12 @@ impl PixelFormat {
                 let held = if packing.bits[3] == 0 {
                     form == Format::Rgb
                 } else {
-                    matches!(form, Format::Rgba | Format::Bgra)
+                    matches!(form, Format::Rgba | Format::Bgra | Format::Abgr)
                 };
                 if held {
                     Ok(PixelFormat { format: form, type_: typ })
                 } else {
-                    let fits = if packing.bits[3] == 0 { "GL_RGB" } else { "GL_RGBA or GL_BGRA" };
+                    let fits = if packing.bits[3] == 0 { "GL_RGB" } else { "GL_RGBA, GL_BGRA or GL_ABGR_EXT" };
                     Err(invalid_operation(format!("{}; it packs {fits}", pair())))
                 }
             }
@@ -256,16 +259,14 @@ impl PixelFormat {
         }
     }
 
-    /// The pair for one command: textures take no stencil, and GetTexImage returns no indices.
+    /// The pair for one command: textures take no stencil alone, and GetTexImage returns no indices.
     pub fn for_command(format: GLenum, type_: GLenum, purpose: Purpose) -> Outcome<PixelFormat> {
         let refused = |what: &str| -> GlError {
             invalid_enum(format!("{} is not a format of {what}; pass GL_RGBA, GL_LUMINANCE or the like", name(format)))
         };
         match (purpose, format) {
-            (Purpose::TexImage, GL_STENCIL_INDEX | GL_DEPTH_STENCIL_EXT) => Err(refused("a texture image")),
-            (Purpose::GetTexImage, GL_COLOR_INDEX | GL_STENCIL_INDEX | GL_DEPTH_STENCIL_EXT) => {
-                Err(refused("GetTexImage"))
-            }
+            (Purpose::TexImage, GL_STENCIL_INDEX) => Err(refused("a texture image")),
+            (Purpose::GetTexImage, GL_COLOR_INDEX | GL_STENCIL_INDEX) => Err(refused("GetTexImage")),
             _ => PixelFormat::new(format, type_),
         }
     }
@@ -333,7 +334,7 @@ mod tests {
                 | GL_UNSIGNED_INT_8_8_8_8_REV
                 | GL_UNSIGNED_INT_10_10_10_2
                 | GL_UNSIGNED_INT_2_10_10_10_REV
-                    if format != GL_RGBA && format != GL_BGRA =>
+                    if format != GL_RGBA && format != GL_BGRA && format != GL_ABGR_EXT =>
                 {
                     GL_INVALID_OPERATION
                 }
@@ -349,8 +350,8 @@ mod tests {
             assert_eq!(got, want, "{} {}", name(format), name(type_));
             legal += usize::from(want == GL_NO_ERROR);
         }
-        // 13 formats by 7 plain types, two index formats as bitmaps, 4 types of RGB, 8 types of RGBA and BGRA, 24_8.
-        assert_eq!(legal, 13 * 7 + 2 + 4 + 16 + 1);
+        // 14 formats by 7 plain types, two index formats as bitmaps, 4 types of RGB, 8 types of RGBA, BGRA and ABGR, 24_8.
+        assert_eq!(legal, 14 * 7 + 2 + 4 + 24 + 1);
     }
 
     #[test]

@@ -184,6 +184,7 @@ impl<'a> ClientTarget<'a> {
         match (type_, format) {
             (Type::UnsignedByte, Format::Rgba) => each(groups, texels, u32::to_le_bytes),
             (Type::UnsignedByte, Format::Bgra) => each(groups, texels, |t| swap_red_blue(t).to_le_bytes()),
+            (Type::UnsignedByte, Format::Abgr) => each(groups, texels, u32::to_be_bytes),
             (Type::UnsignedByte, Format::Rgb) => each(groups, texels, |t| [t as u8, (t >> 8) as u8, (t >> 16) as u8]),
             (Type::UnsignedByte, Format::Bgr) => each(groups, texels, |t| [(t >> 16) as u8, (t >> 8) as u8, t as u8]),
             (Type::UnsignedByte, Format::Luminance) => each(groups, texels, |t| [sum(t)]),
@@ -193,7 +194,7 @@ impl<'a> ClientTarget<'a> {
             (Type::UnsignedByte, Format::Green) => each(groups, texels, |t| [(t >> 8) as u8]),
             (Type::UnsignedByte, Format::Blue) => each(groups, texels, |t| [(t >> 16) as u8]),
             (Type::Packed(packing), format) if packing.bits == [8; 4] => {
-                let reverse = (packing.name == GL_UNSIGNED_INT_8_8_8_8) != swap;
+                let reverse = ((packing.name == GL_UNSIGNED_INT_8_8_8_8) != swap) != (format == Format::Abgr);
                 each(groups, texels, |t| {
                     let number = if format == Format::Bgra { swap_red_blue(t) } else { t };
                     if reverse { number.swap_bytes().to_ne_bytes() } else { number.to_ne_bytes() }

@@ -86,7 +86,7 @@ fn every_color_pair_comes_back() {
             seen += 1;
         }
     }
-    assert_eq!(seen, 2 * (10 * 7 + 4 + 16));
+    assert_eq!(seen, 2 * (11 * 7 + 4 + 24));
 }
 
 #[test]

@@ -123,6 +123,18 @@ impl<'a> ClientImage<'a> {
         }
     }
 
+    /// The stencil indices from group `at` on, after transfer, cut to 8 bits.
+    pub fn stencils8(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u8]) {
+        let mut raw = [0.0; CHUNK];
+        for (n, part) in out.chunks_mut(CHUNK).enumerate() {
+            let raw = &mut raw[..part.len()];
+            self.raw_indices([at[0] + n * CHUNK, at[1], at[2]], raw);
+            for (to, &from) in part.iter_mut().zip(&*raw) {
+                *to = transfer.stencil(from) as u8;
+            }
+        }
+    }
+
     /// The stencil indices from group `at` on, after transfer; the caller cuts them to the bits of its buffer.
     pub fn stencils(&self, at: [usize; 3], transfer: Transfer<'_>, out: &mut [u32]) {
         let mut raw = [0.0; CHUNK];
@@ -244,6 +256,7 @@ impl<'a> ClientImage<'a> {
         match (self.pixel.type_, self.pixel.format) {
             (Type::UnsignedByte, Format::Rgba) => each(groups, out, u32::from_le_bytes),
             (Type::UnsignedByte, Format::Bgra) => each(groups, out, |[b, g, r, a]| u32::from_le_bytes([r, g, b, a])),
+            (Type::UnsignedByte, Format::Abgr) => each(groups, out, u32::from_be_bytes),
             (Type::UnsignedByte, Format::Rgb) => each(groups, out, |[r, g, b]| u32::from_le_bytes([r, g, b, 255])),
             (Type::UnsignedByte, Format::Bgr) => each(groups, out, |[b, g, r]| u32::from_le_bytes([r, g, b, 255])),
             (Type::UnsignedByte, Format::Luminance) => each(groups, out, |[l]| gray(l) | opaque),
@@ -256,7 +269,8 @@ impl<'a> ClientImage<'a> {
             (Type::UnsignedByte, Format::Blue) => each(groups, out, |[b]| u32::from(b) << 16 | opaque),
             (Type::Packed(packing), format) if packing.bits == [8; 4] => {
                 // As a number, 8_8_8_8_REV has its first component in the low byte, as texels are stored.
-                let reverse = (packing.name == GL_UNSIGNED_INT_8_8_8_8) != self.swap;
+                // ABGR is RGBA from the other end.
+                let reverse = ((packing.name == GL_UNSIGNED_INT_8_8_8_8) != self.swap) != (format == Format::Abgr);
                 let number =
                     |bytes| if reverse { u32::from_ne_bytes(bytes).swap_bytes() } else { u32::from_ne_bytes(bytes) };
                 if format == Format::Bgra {

@@ -123,6 +123,14 @@ impl<P: FragmentProgram> Scene<P> {
         samples
     }
 
+    /// Forgets all that waits and goes on with the current draw. To be called when no other thread has the framebuffer.
+    pub fn discard(&mut self) {
+        self.flush_batch();
+        self.geometry.clear();
+        let passed = self.draws.len().saturating_sub(1);
+        self.draws.drain(..passed);
+    }
+
     /// Draws all that waits and goes on with the current draw.
     pub fn make_room(&mut self, framebuffer: &mut Framebuffer, threads: usize) -> u64 {
         let samples = self.rasterise(framebuffer, threads);

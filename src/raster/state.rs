@@ -79,6 +79,8 @@ pub struct RasterState {
     pub flat: bool,
     /// Smooth points, lines, polygons.
     pub smooth: [bool; 3],
+    /// Where points are sprites: bit u says that unit u takes the place within the point as its coordinates.
+    pub sprite: Option<u32>,
     /// Line width, limited to what there is.
     pub line_width: f32,
     /// Line stipple pattern and factor where stippling is enabled.
@@ -122,6 +124,10 @@ impl RasterState {
             depth_scale: ((1u64 << depth_bits.min(32)) - 1) as f64,
             flat: state.lighting.shade_model == ShadeModel::Flat,
             smooth: [state.point.smooth, line.smooth, p.smooth],
+            sprite: state.point.sprite.then(|| {
+                let units = state.texture.units.iter().zip(0..);
+                units.fold(0, |mask, (unit, u)| mask | u32::from(unit.env.coord_replace) << u)
+            }),
             line_width: limited(line.width, LINE_WIDTH_RANGE),
             line_stipple: line.stipple.then_some((line.stipple_pattern, factor)),
             polygon_stipple: p.stipple.then(|| Box::new(state.polygon_stipple.0)),

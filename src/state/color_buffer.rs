@@ -153,8 +153,8 @@ pub struct ColorBuffer {
     pub blend_src: [BlendFactor; 2],
     /// Destination factors for RGB and alpha.
     pub blend_dst: [BlendFactor; 2],
-    /// Blend equation (GL 1.5 has one for RGB and alpha).
-    pub blend_equation: BlendEquation,
+    /// Blend equations for RGB and alpha.
+    pub blend_equation: [BlendEquation; 2],
     /// Constant blend colour.
     pub blend_color: [f32; 4],
     /// `GL_DITHER`.
@@ -186,7 +186,7 @@ impl Default for ColorBuffer {
             blend: false,
             blend_src: [BlendFactor::One; 2],
             blend_dst: [BlendFactor::Zero; 2],
-            blend_equation: BlendEquation::Add,
+            blend_equation: [BlendEquation::Add; 2],
             blend_color: [0.0; 4],
             dither: true,
             logic_op_enabled: false,

@@ -51,34 +51,45 @@ impl Default for Depth {
 pub struct Stencil {
     /// `GL_STENCIL_TEST`.
     pub test: bool,
-    /// Comparison function.
-    pub func: CompareFunc,
+    /// What differs between front faces (with points and lines) and back faces of polygons.
+    pub faces: [StencilFace; 2],
     /// Reference value.
     pub reference: i32,
     /// Comparison mask.
     pub value_mask: u32,
-    /// Operation where the stencil test fails.
-    pub fail: StencilOp,
-    /// Operation where the depth test fails.
-    pub depth_fail: StencilOp,
-    /// Operation where both pass.
-    pub depth_pass: StencilOp,
     /// Which bits are written.
     pub write_mask: u32,
     /// Clear value.
     pub clear: i32,
 }
 
+/// The stencil test of the front or the back faces of polygons (ATI_separate_stencil).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StencilFace {
+    /// Comparison function.
+    pub func: CompareFunc,
+    /// Operation where the stencil test fails.
+    pub fail: StencilOp,
+    /// Operation where the depth test fails.
+    pub depth_fail: StencilOp,
+    /// Operation where both pass.
+    pub depth_pass: StencilOp,
+}
+
+impl Default for StencilFace {
+    fn default() -> Self {
+        let keep = StencilOp::Keep;
+        Self { func: CompareFunc::Always, fail: keep, depth_fail: keep, depth_pass: keep }
+    }
+}
+
 impl Default for Stencil {
     fn default() -> Self {
         Self {
             test: false,
-            func: CompareFunc::Always,
+            faces: [StencilFace::default(); 2],
             reference: 0,
             value_mask: u32::MAX,
-            fail: StencilOp::Keep,
-            depth_fail: StencilOp::Keep,
-            depth_pass: StencilOp::Keep,
             write_mask: u32::MAX,
             clear: 0,
         }

@@ -24,6 +24,18 @@ gl_enum! {
     }
 }
 
+gl_enum! {
+    /// What the distance from the eye is (NV_fog_distance).
+    pub enum FogDistanceMode {
+        /// The length of the way to the eye.
+        EyeRadial = GL_EYE_RADIAL_NV,
+        /// Eye z, negative in front of the eye.
+        EyePlane = GL_EYE_PLANE,
+        /// The distance from the plane z = 0 through the eye.
+        EyePlaneAbsolute = GL_EYE_PLANE_ABSOLUTE_NV,
+    }
+}
+
 /// Fog parameters and the colour sum enable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fog {
@@ -43,6 +55,8 @@ pub struct Fog {
     pub mode: FogMode,
     /// What fog takes as the distance.
     pub coord_source: FogCoordSource,
+    /// What the distance from the eye is.
+    pub distance_mode: FogDistanceMode,
     /// `GL_COLOR_SUM`.
     pub color_sum: bool,
 }
@@ -58,6 +72,7 @@ impl Default for Fog {
             end: 1.0,
             mode: FogMode::Exp,
             coord_source: FogCoordSource::FragmentDepth,
+            distance_mode: FogDistanceMode::EyePlaneAbsolute,
             color_sum: false,
         }
     }

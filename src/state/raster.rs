@@ -60,6 +60,8 @@ pub struct Point {
     pub size: f32,
     /// `GL_POINT_SMOOTH`.
     pub smooth: bool,
+    /// `GL_POINT_SPRITE_ARB`.
+    pub sprite: bool,
     /// Least derived size.
     pub size_min: f32,
     /// Greatest derived size.
@@ -75,6 +77,7 @@ impl Default for Point {
         Self {
             size: 1.0,
             smooth: false,
+            sprite: false,
             size_min: 0.0,
             size_max: crate::limits::POINT_SIZE_RANGE[1],
             fade_threshold: 1.0,

@@ -25,6 +25,18 @@ pub enum Target {
 impl Target {
     /// All targets, lowest precedence first.
     pub const ALL: [Self; 5] = [Self::D1, Self::D2, Self::Rectangle, Self::D3, Self::Cube];
+
+    /// The enumerant.
+    #[must_use]
+    pub const fn gl(self) -> GLenum {
+        match self {
+            Self::D1 => GL_TEXTURE_1D,
+            Self::D2 => GL_TEXTURE_2D,
+            Self::Rectangle => GL_TEXTURE_RECTANGLE_ARB,
+            Self::D3 => GL_TEXTURE_3D,
+            Self::Cube => GL_TEXTURE_CUBE_MAP,
+        }
+    }
 }
 
 gl_enum! {
@@ -112,6 +124,8 @@ gl_enum! {
         Blend = GL_BLEND,
         Add = GL_ADD,
         Combine = GL_COMBINE,
+        /// `GL_COMBINE` whose sums are sums of products, of four arguments
+        Combine4 = GL_COMBINE4_NV,
     }
 }
 
@@ -213,6 +227,8 @@ pub enum CombineSource {
     PrimaryColor,
     /// The result of the unit before.
     Previous,
+    /// 0 (NV_texture_env_combine4).
+    Zero,
 }
 
 impl CombineSource {
@@ -224,6 +240,7 @@ impl CombineSource {
             GL_CONSTANT => Self::Constant,
             GL_PRIMARY_COLOR => Self::PrimaryColor,
             GL_PREVIOUS => Self::Previous,
+            GL_ZERO => Self::Zero,
             _ => {
                 let unit = value.wrapping_sub(GL_TEXTURE0) as usize;
                 if unit >= MAX_TEXTURE_UNITS {
@@ -243,6 +260,7 @@ impl CombineSource {
             Self::Constant => GL_CONSTANT,
             Self::PrimaryColor => GL_PRIMARY_COLOR,
             Self::Previous => GL_PREVIOUS,
+            Self::Zero => GL_ZERO,
         }
     }
 }
@@ -318,12 +336,14 @@ pub struct Env {
     pub color: [f32; 4],
     /// LOD bias of the unit.
     pub lod_bias: f32,
+    /// Whether point sprites replace the unit's coordinates (ARB_point_sprite).
+    pub coord_replace: bool,
     /// Combine functions for RGB and alpha.
     pub combine: [CombineFunction; 2],
-    /// Sources 0..2 for RGB and alpha: `source[i][0]` is `GL_SOURCEi_RGB`.
-    pub source: [[CombineSource; 2]; 3],
-    /// Operands 0..2 for RGB and alpha.
-    pub operand: [[CombineOperand; 2]; 3],
+    /// Sources 0..3 for RGB and alpha: `source[i][0]` is `GL_SOURCEi_RGB`. The last is one of `GL_COMBINE4_NV` only.
+    pub source: [[CombineSource; 2]; 4],
+    /// Operands 0..3 for RGB and alpha.
+    pub operand: [[CombineOperand; 2]; 4],
     /// Scale factors 1, 2 or 4 for RGB and alpha.
     pub scale: [f32; 2],
 }
@@ -334,12 +354,19 @@ impl Default for Env {
             mode: EnvMode::Modulate,
             color: [0.0; 4],
             lod_bias: 0.0,
+            coord_replace: false,
             combine: [CombineFunction::Modulate; 2],
-            source: [[CombineSource::Texture; 2], [CombineSource::Previous; 2], [CombineSource::Constant; 2]],
+            source: [
+                [CombineSource::Texture; 2],
+                [CombineSource::Previous; 2],
+                [CombineSource::Constant; 2],
+                [CombineSource::Zero; 2],
+            ],
             operand: [
                 [CombineOperand::SrcColor, CombineOperand::SrcAlpha],
                 [CombineOperand::SrcColor, CombineOperand::SrcAlpha],
                 [CombineOperand::SrcAlpha; 2],
+                [CombineOperand::OneMinusSrcColor, CombineOperand::OneMinusSrcAlpha],
             ],
             scale: [1.0; 2],
         }

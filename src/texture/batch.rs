@@ -42,7 +42,7 @@ pub struct TexBatch {
     /// environment does not matter: that one reads `primary`.
     pub previous: [Lanes; 4],
     /// Arguments of the combine functions: three RGBA colours.
-    pub args: [[Lanes; 4]; 3],
+    pub args: [[Lanes; 4]; 4],
     /// Texels of a sampler that gives them packed ([`Sampler::pack`](super::sampler::Sampler::pack)).
     pub packed: [u32; LANES],
     /// What the stages of a sampler hand to each other.
@@ -138,7 +138,7 @@ impl TexBatch {
             texel: [[Z; 4]; MAX_TEXTURE_UNITS],
             primary: [Z; 4],
             previous: [Z; 4],
-            args: [[Z; 4]; 3],
+            args: [[Z; 4]; 4],
             packed: [0; LANES],
             scratch: SamplerScratch::new(),
             limit: [f32::INFINITY; 3],

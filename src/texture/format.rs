@@ -140,6 +140,8 @@ pub struct InternalFormat {
     pub color_bits: u8,
     /// Bits kept of alpha, 0 where the format has none.
     pub alpha_bits: u8,
+    /// Bits kept of a stencil index, 0 where the format has none.
+    pub stencil_bits: u8,
     /// The block format, for compressed images.
     pub s3tc: Option<S3tc>,
 }
@@ -235,11 +237,25 @@ impl InternalFormat {
 }
 
 const fn row(requested: GLenum, base: BaseFormat, storage: Storage, color_bits: u8, alpha_bits: u8) -> InternalFormat {
-    InternalFormat { requested, reported: requested, base, storage, color_bits, alpha_bits, s3tc: None }
+    InternalFormat {
+        requested,
+        reported: requested,
+        base,
+        storage,
+        color_bits,
+        alpha_bits,
+        stencil_bits: 0,
+        s3tc: None,
+    }
 }
 
 const fn generic(requested: GLenum, reported: GLenum, base: BaseFormat, color: u8, alpha: u8) -> InternalFormat {
     InternalFormat { reported, ..row(requested, base, Storage::Rgba8, color, alpha) }
+}
+
+/// EXT_packed_depth_stencil: sampled as a depth texture; the stencil indices are only kept.
+const fn depth_stencil(requested: GLenum) -> InternalFormat {
+    InternalFormat { stencil_bits: 8, ..row(requested, BaseFormat::Depth, Storage::Depth, 24, 0) }
 }
 
 const fn block(requested: GLenum, base: BaseFormat, alpha_bits: u8, s3tc: S3tc) -> InternalFormat {
@@ -250,7 +266,7 @@ use BaseFormat::{Alpha, Depth, Intensity, Luminance, LuminanceAlpha, Rgb, Rgba};
 use Storage::{Float, Rgba8};
 
 /// Every internal format of OpenGL 1.0 to 1.5 and the S3TC names.
-pub static FORMATS: [InternalFormat; 56] = [
+pub static FORMATS: [InternalFormat; 59] = [
     row(1, Luminance, Rgba8, 8, 0),
     row(2, LuminanceAlpha, Rgba8, 8, 8),
     row(3, Rgb, Rgba8, 8, 0),
@@ -279,6 +295,7 @@ pub static FORMATS: [InternalFormat; 56] = [
     row(GL_INTENSITY16, Intensity, Float, 16, 0),
     row(GL_R3_G3_B2, Rgb, Rgba8, 8, 0),
     row(GL_RGB, Rgb, Rgba8, 8, 0),
+    row(GL_RGB2_EXT, Rgb, Rgba8, 8, 0),
     row(GL_RGB4, Rgb, Rgba8, 8, 0),
     row(GL_RGB5, Rgb, Rgba8, 8, 0),
     row(GL_RGB8, Rgb, Rgba8, 8, 0),
@@ -298,6 +315,8 @@ pub static FORMATS: [InternalFormat; 56] = [
     row(GL_DEPTH_COMPONENT24, Depth, Storage::Depth, 24, 0),
     // A float keeps 24 bits near 1: that is what is kept and reported of 32.
     row(GL_DEPTH_COMPONENT32, Depth, Storage::Depth, 24, 0),
+    depth_stencil(GL_DEPTH_STENCIL_EXT),
+    depth_stencil(GL_DEPTH24_STENCIL8_EXT),
     generic(GL_COMPRESSED_ALPHA, GL_ALPHA, Alpha, 0, 8),
     generic(GL_COMPRESSED_LUMINANCE, GL_LUMINANCE, Luminance, 8, 0),
     generic(GL_COMPRESSED_LUMINANCE_ALPHA, GL_LUMINANCE_ALPHA, LuminanceAlpha, 8, 8),

@@ -69,6 +69,8 @@ pub struct Image {
     pub border: u32,
     /// The texels with the ring around them, which [`Image::fill_padding`] fills.
     pub texels: Texels,
+    /// The stencil indices beside the depths of a DEPTH_STENCIL image, at the places of the texels.
+    pub stencil: Option<Vec<u8>>,
     /// The S3TC blocks of a compressed image as they were given; `texels` holds them decoded.
     pub compressed: Option<Vec<u8>>,
     /// How its blocks are chosen when texels are given uncompressed: the TEXTURE_COMPRESSION_HINT of the command that
@@ -94,13 +96,6 @@ impl Texels {
 
     /// A copy, or OUT_OF_MEMORY.
     pub fn try_clone(&self) -> Outcome<Texels> {
-        fn copy<T: Copy>(from: &[T]) -> Outcome<Vec<T>> {
-            let mut to = Vec::new();
-            to.try_reserve_exact(from.len())
-                .map_err(|_| out_of_memory(format!("no memory to copy {} texels", from.len())))?;
-            to.extend_from_slice(from);
-            Ok(to)
-        }
         Ok(match self {
             Texels::Rgba8(t) => Texels::Rgba8(copy(t)?),
             Texels::Float(t) => Texels::Float(copy(t)?),
@@ -117,6 +112,14 @@ impl Texels {
             Texels::Depth(t) => t.len(),
         }
     }
+}
+
+/// A copy of texels, or OUT_OF_MEMORY.
+fn copy<T: Copy>(from: &[T]) -> Outcome<Vec<T>> {
+    let mut to = Vec::new();
+    to.try_reserve_exact(from.len()).map_err(|_| out_of_memory(format!("no memory to copy {} texels", from.len())))?;
+    to.extend_from_slice(from);
+    Ok(to)
 }
 
 /// A buffer of a size that a program chose: OUT_OF_MEMORY instead of an abort.
@@ -161,6 +164,7 @@ impl Image {
             depth,
             border,
             texels: Texels::zeroed(format.storage, len)?,
+            stencil: (format.stencil_bits > 0).then(|| zeroed(len, 0)).transpose()?,
             compressed: None,
             fit: BlockFit::default(),
             opaque: false,
@@ -182,6 +186,7 @@ impl Image {
         let bordered = self.bordered.as_ref().map(|texels| texels.try_clone().map(Box::new)).transpose()?;
         Ok(Image {
             texels: self.texels.try_clone()?,
+            stencil: self.stencil.as_deref().map(copy).transpose()?,
             compressed: self.compressed.clone(),
             bordered,
             padded_for: self.padded_for,

@@ -28,7 +28,13 @@ impl Image {
     /// GetTexImage: writes the whole image, border included, under the pack state.
     pub fn get_tex_image(&self, store: &PixelStore, format: GLenum, type_: GLenum, out: &mut [u8]) -> Outcome {
         let pixel = PixelFormat::for_command(format, type_, Purpose::GetTexImage)?;
-        match (pixel.kind() == PixelKind::Depth, self.base == BaseFormat::Depth) {
+        if pixel.kind() == PixelKind::DepthStencil && self.stencil.is_none() {
+            return Err(invalid_operation(
+                "stencil indices of a texture that has none; its internal format must be GL_DEPTH24_STENCIL8_EXT",
+            ));
+        }
+        let depth = matches!(pixel.kind(), PixelKind::Depth | PixelKind::DepthStencil);
+        match (depth, self.base == BaseFormat::Depth) {
             (true, false) => return Err(invalid_operation("depths of a colour texture; ask for GL_RGBA or the like")),
             (false, true) => return Err(invalid_operation("colours of a depth texture; ask for GL_DEPTH_COMPONENT")),
             _ => {}
@@ -89,7 +95,20 @@ impl Image {
                     target.colors([at[0] + n * CHUNK, at[1], at[2]], Transfer::NEUTRAL, work);
                 }
             }
-            Texels::Depth(t) => target.depths(at, Transfer::NEUTRAL, t.get(texels).unwrap_or(&[])),
+            Texels::Depth(t) => {
+                let depths = t.get(texels.clone()).unwrap_or(&[]);
+                match self.stencil.as_ref().and_then(|all| all.get(texels)) {
+                    Some(stencils) if target.pixel().kind() == PixelKind::DepthStencil => {
+                        for (n, (depths, stencils)) in depths.chunks(CHUNK).zip(stencils.chunks(CHUNK)).enumerate() {
+                            let mut work = [0; CHUNK];
+                            work.iter_mut().zip(stencils).for_each(|(to, &from)| *to = from.into());
+                            let at = [at[0] + n * CHUNK, at[1], at[2]];
+                            target.depth_stencils(at, Transfer::NEUTRAL, depths, &work);
+                        }
+                    }
+                    _ => target.depths(at, Transfer::NEUTRAL, depths),
+                }
+            }
         }
     }
 

@@ -16,13 +16,14 @@ const OPAQUE: u32 = 0xFF00_0000;
 /// INVALID_OPERATION unless pixels of this format can become texels of this format: depths go to depth textures and
 /// nothing else does.
 pub fn check_formats(pixel: PixelFormat, internal: &InternalFormat) -> Outcome {
-    match (pixel.kind() == PixelKind::Depth, internal.base == BaseFormat::Depth) {
+    let depth = matches!(pixel.kind(), PixelKind::Depth | PixelKind::DepthStencil);
+    match (depth, internal.base == BaseFormat::Depth) {
         (true, false) => Err(invalid_operation(
             "depth pixels for a colour texture; give it an internal format such as GL_DEPTH_COMPONENT24",
         )),
-        (false, true) => {
-            Err(invalid_operation("colour pixels for a depth texture; its pixel format must be GL_DEPTH_COMPONENT"))
-        }
+        (false, true) => Err(invalid_operation(
+            "colour pixels for a depth texture; its pixel format must be GL_DEPTH_COMPONENT or GL_DEPTH_STENCIL_EXT",
+        )),
         _ => Ok(()),
     }
 }
@@ -115,6 +116,11 @@ impl Image {
                         let Some(row) = texels.get_mut(start..start + width) else { continue };
                         pixels.depths([0, y, z], transfer, row);
                         row.iter_mut().for_each(|t| *t = format.round([*t; 4])[0]);
+                        // Depths alone leave the stencil indices as they are.
+                        let row = self.stencil.as_mut().and_then(|all| all.get_mut(start..start + width));
+                        if let Some(row) = row.filter(|_| pixels.pixel().kind() == PixelKind::DepthStencil) {
+                            pixels.stencils8([0, y, z], transfer, row);
+                        }
                     }
                 }
             }
@@ -180,6 +186,16 @@ impl Image {
         if let (Texels::Depth(texels), Some(row)) = (&mut self.texels, row.get(from..from + len)) {
             for (to, &from) in texels.iter_mut().skip(start).zip(row) {
                 *to = format.round([from; 4])[0];
+            }
+        }
+    }
+
+    /// Writes a row of stencil indices through pixel transfer. What lies outside the image is left out.
+    pub fn write_stencils(&mut self, at: [i32; 3], row: &[u8], transfer: Transfer<'_>) {
+        let Some((start, from, len)) = self.clip(at, row.len()) else { return };
+        if let (Some(all), Some(row)) = (&mut self.stencil, row.get(from..from + len)) {
+            for (to, &from) in all.iter_mut().skip(start).zip(row) {
+                *to = transfer.stencil(from.into()) as u8;
             }
         }
     }

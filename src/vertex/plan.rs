@@ -14,7 +14,7 @@ use crate::num;
 use crate::raster::vertex::outcode;
 use crate::simd::{LANES, Level, Plan, Stage, Step};
 use crate::state::State;
-use crate::state::fog::FogCoordSource;
+use crate::state::fog::{FogCoordSource, FogDistanceMode};
 use crate::state::lighting::ColorControl;
 use crate::state::lighting::MaterialColor;
 use crate::state::lighting::ShadeModel;
@@ -198,7 +198,12 @@ impl VertexPlan {
             tail.push(&transform::FOG_COORD, 0);
         } else {
             r.eye = true;
-            tail.push(&transform::FOG_DEPTH, 0);
+            let stage = match state.fog.distance_mode {
+                FogDistanceMode::EyePlaneAbsolute => &transform::FOG_DEPTH,
+                FogDistanceMode::EyePlane => &transform::FOG_PLANE,
+                FogDistanceMode::EyeRadial => &transform::FOG_RADIAL,
+            };
+            tail.push(stage, 0);
         }
     }
 

@@ -37,7 +37,7 @@ const DESTINATIONS: &[GLenum] = &[
     GL_DST_ALPHA,
     GL_ONE_MINUS_CONSTANT_ALPHA,
 ];
-const ENVS: &[GLenum] = &[GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE];
+const ENVS: &[GLenum] = &[GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE4_NV];
 
 /// What a texture of the test is: target, internal format, size, whether it has all levels.
 pub const TEXTURES: &[(GLenum, GLenum, [i32; 3], bool)] = &[
@@ -108,6 +108,11 @@ pub fn state(cx: &mut Context, r: &mut Random) {
         cx.enable(GL_POLYGON_OFFSET_FILL);
         cx.polygon_offset(r.of(&[0.0, 1.0, -2.0]), r.of(&[0.0, 1.0, -30.0]));
     }
+    if r.once_in(6) {
+        cx.point_size(r.of(&[1.0, 3.5, 12.0]));
+        cx.enable(GL_POINT_SPRITE_ARB);
+        cx.tex_envi(GL_POINT_SPRITE_ARB, GL_COORD_REPLACE_ARB, r.below(2) as i32);
+    }
     if r.once_in(12) {
         cx.enable(GL_CLIP_PLANE0);
         cx.clip_plane(GL_CLIP_PLANE0, &[1.0, 0.3, 0.0, 0.2]);
@@ -132,6 +137,10 @@ fn tests(cx: &mut Context, r: &mut Random) {
         cx.stencil_func(r.of(FUNCS), r.below(6) as i32, r.of(&[u32::MAX, 3, 0]));
         cx.stencil_op(r.of(OPS), r.of(OPS), r.of(OPS));
         cx.stencil_mask(r.of(&[u32::MAX, 0x0F, 0]));
+        if r.once_in(2) {
+            cx.stencil_func_separate(r.of(FUNCS), r.of(FUNCS), r.below(6) as i32, r.of(&[u32::MAX, 3]));
+            cx.stencil_op_separate(r.of(&[GL_FRONT, GL_BACK]), r.of(OPS), r.of(OPS), r.of(OPS));
+        }
     }
     if r.once_in(4) {
         cx.enable(GL_ALPHA_TEST);
@@ -151,7 +160,8 @@ fn store(cx: &mut Context, r: &mut Random) {
         let [red, green, blue, alpha] = r.color();
         cx.blend_color(red, green, blue, alpha);
         let other = r.of(&[GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX]);
-        cx.blend_equation(r.of(&[GL_FUNC_ADD, GL_FUNC_ADD, GL_FUNC_ADD, other]));
+        let equation = r.of(&[GL_FUNC_ADD, GL_FUNC_ADD, GL_FUNC_ADD, other]);
+        cx.blend_equation_separate(equation, if r.once_in(8) { GL_MAX } else { equation });
     }
     if r.once_in(12) {
         cx.enable(GL_COLOR_LOGIC_OP);
@@ -174,6 +184,7 @@ fn fog(cx: &mut Context, r: &mut Random) {
     cx.fogf(GL_FOG_END, end);
     cx.fogfv(GL_FOG_COLOR, &r.color());
     cx.fogi(GL_FOG_COORD_SRC, r.of(&[GL_FRAGMENT_DEPTH, GL_FRAGMENT_DEPTH, GL_FOG_COORD]));
+    cx.fogi(GL_FOG_DISTANCE_MODE_NV, r.of(&[GL_EYE_PLANE_ABSOLUTE_NV, GL_EYE_RADIAL_NV, GL_EYE_PLANE]));
 }
 
 fn light(cx: &mut Context, r: &mut Random) {
@@ -219,7 +230,7 @@ fn texture_unit(cx: &mut Context, r: &mut Random, unit: u32) {
     let mode = r.of(ENVS);
     cx.tex_envi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);
     cx.tex_envfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &r.color());
-    if mode == GL_COMBINE {
+    if matches!(mode, GL_COMBINE | GL_COMBINE4_NV) {
         combine(cx, r);
     }
     if r.once_in(4) {
@@ -238,12 +249,12 @@ fn texture_unit(cx: &mut Context, r: &mut Random, unit: u32) {
 }
 
 fn combine(cx: &mut Context, r: &mut Random) {
-    let sources = [GL_TEXTURE, GL_PREVIOUS, GL_PRIMARY_COLOR, GL_CONSTANT];
+    let sources = [GL_TEXTURE, GL_PREVIOUS, GL_PRIMARY_COLOR, GL_CONSTANT, GL_ZERO];
     for (mode, first) in [(GL_COMBINE_RGB, GL_SOURCE0_RGB), (GL_COMBINE_ALPHA, GL_SOURCE0_ALPHA)] {
         let all = [GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB];
         let n = if mode == GL_COMBINE_RGB { all.len() } else { all.len() - 1 };
         cx.tex_envi(GL_TEXTURE_ENV, mode, r.of(&all[..n]));
-        for i in 0..3 {
+        for i in 0..4 {
             cx.tex_envi(GL_TEXTURE_ENV, first + i, r.of(&sources));
         }
     }

@@ -8,7 +8,7 @@ use fixedgl::enums::*;
 /// One argument of a combine function.
 #[derive(Clone, Copy, Debug)]
 pub struct Argument {
-    /// GL_TEXTURE, GL_TEXTUREn, GL_CONSTANT, GL_PRIMARY_COLOR or GL_PREVIOUS.
+    /// GL_TEXTURE, GL_TEXTUREn, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS or GL_ZERO.
     pub source: GLenum,
     /// GL_SRC_COLOR .. GL_ONE_MINUS_SRC_ALPHA.
     pub operand: GLenum,
@@ -19,8 +19,9 @@ pub struct Argument {
 pub struct Combine {
     pub rgb: GLenum,
     pub alpha: GLenum,
-    pub rgb_args: [Argument; 3],
-    pub alpha_args: [Argument; 3],
+    /// The fourth argument is read by GL_COMBINE4_NV only.
+    pub rgb_args: [Argument; 4],
+    pub alpha_args: [Argument; 4],
     pub rgb_scale: f64,
     pub alpha_scale: f64,
 }
@@ -31,8 +32,18 @@ impl Default for Combine {
         Combine {
             rgb: GL_MODULATE,
             alpha: GL_MODULATE,
-            rgb_args: [arg(GL_TEXTURE, GL_SRC_COLOR), arg(GL_PREVIOUS, GL_SRC_COLOR), arg(GL_CONSTANT, GL_SRC_ALPHA)],
-            alpha_args: [arg(GL_TEXTURE, GL_SRC_ALPHA), arg(GL_PREVIOUS, GL_SRC_ALPHA), arg(GL_CONSTANT, GL_SRC_ALPHA)],
+            rgb_args: [
+                arg(GL_TEXTURE, GL_SRC_COLOR),
+                arg(GL_PREVIOUS, GL_SRC_COLOR),
+                arg(GL_CONSTANT, GL_SRC_ALPHA),
+                arg(GL_ZERO, GL_ONE_MINUS_SRC_COLOR),
+            ],
+            alpha_args: [
+                arg(GL_TEXTURE, GL_SRC_ALPHA),
+                arg(GL_PREVIOUS, GL_SRC_ALPHA),
+                arg(GL_CONSTANT, GL_SRC_ALPHA),
+                arg(GL_ZERO, GL_ONE_MINUS_SRC_ALPHA),
+            ],
             rgb_scale: 1.0,
             alpha_scale: 1.0,
         }
@@ -69,7 +80,7 @@ pub struct Inputs<'a> {
 impl Env {
     /// The colour that leaves the unit.
     pub fn apply(&self, i: &Inputs<'_>) -> V4 {
-        if self.mode == GL_COMBINE {
+        if matches!(self.mode, GL_COMBINE | GL_COMBINE4_NV) {
             return self.combine(i);
         }
         let (cp, ap) = ([i.previous[0], i.previous[1], i.previous[2]], i.previous[3]);
@@ -108,13 +119,14 @@ impl Env {
             GL_CONSTANT => self.color,
             GL_PRIMARY_COLOR => i.primary,
             GL_PREVIOUS => i.previous,
+            GL_ZERO => [0.0; 4],
             unit => i.textures[(unit - GL_TEXTURE0) as usize],
         }
     }
 
     fn combine(&self, i: &Inputs<'_>) -> V4 {
         let c = &self.combine;
-        let rgb: [V3; 3] = c.rgb_args.map(|arg| {
+        let rgb: [V3; 4] = c.rgb_args.map(|arg| {
             let s = self.source(arg.source, i);
             std::array::from_fn(|k| match arg.operand {
                 GL_SRC_COLOR => s[k],
@@ -127,7 +139,10 @@ impl Env {
             let s = self.source(arg.source, i);
             if arg.operand == GL_SRC_ALPHA { s[3] } else { 1.0 - s[3] }
         });
-        let function = |f: GLenum, a: [f64; 3]| match f {
+        let four = self.mode == GL_COMBINE4_NV;
+        let function = |f: GLenum, a: [f64; 4]| match f {
+            GL_ADD if four => a[0] * a[1] + a[2] * a[3],
+            GL_ADD_SIGNED if four => a[0] * a[1] + a[2] * a[3] - 0.5,
             GL_REPLACE => a[0],
             GL_MODULATE => a[0] * a[1],
             GL_ADD => a[0] + a[1],
@@ -139,7 +154,7 @@ impl Env {
         let dot3 = 4.0 * (0..3).map(|k| (rgb[0][k] - 0.5) * (rgb[1][k] - 0.5)).sum::<f64>();
         let color: V3 = match c.rgb {
             GL_DOT3_RGB | GL_DOT3_RGBA => [dot3; 3],
-            f => std::array::from_fn(|k| function(f, [rgb[0][k], rgb[1][k], rgb[2][k]])),
+            f => std::array::from_fn(|k| function(f, [rgb[0][k], rgb[1][k], rgb[2][k], rgb[3][k]])),
         };
         let a = if c.rgb == GL_DOT3_RGBA { dot3 } else { function(c.alpha, alpha) };
         let color = color.map(|x| x * c.rgb_scale);

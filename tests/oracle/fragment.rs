@@ -62,7 +62,7 @@ pub fn passes(func: GLenum, a: f64, b: f64) -> bool {
 /// The blending state (4.1.8). RGB first, alpha second.
 #[derive(Clone, Copy, Debug)]
 pub struct Blend {
-    pub equation: GLenum,
+    pub equation: [GLenum; 2],
     pub source: [GLenum; 2],
     pub destination: [GLenum; 2],
     pub constant: V4,
@@ -70,7 +70,7 @@ pub struct Blend {
 
 impl Default for Blend {
     fn default() -> Self {
-        Blend { equation: GL_FUNC_ADD, source: [GL_ONE; 2], destination: [GL_ZERO; 2], constant: [0.0; 4] }
+        Blend { equation: [GL_FUNC_ADD; 2], source: [GL_ONE; 2], destination: [GL_ZERO; 2], constant: [0.0; 4] }
     }
 }
 
@@ -113,14 +113,15 @@ impl Blend {
             [rgb[0], rgb[1], rgb[2], alpha[3]]
         };
         let (ws, wd) = (mul(s, weights(self.source)), mul(d, weights(self.destination)));
-        clamp01(match self.equation {
+        let [rgb, alpha] = self.equation.map(|equation| match equation {
             GL_FUNC_ADD => add(ws, wd),
             GL_FUNC_SUBTRACT => sub(ws, wd),
             GL_FUNC_REVERSE_SUBTRACT => sub(wd, ws),
             GL_MIN => std::array::from_fn(|k| s[k].min(d[k])),
             GL_MAX => std::array::from_fn(|k| s[k].max(d[k])),
             other => panic!("the oracle has no blend equation {other:#x}"),
-        })
+        });
+        clamp01([rgb[0], rgb[1], rgb[2], alpha[3]])
     }
 }
 
@@ -179,9 +180,9 @@ mod tests {
         assert_near(&over.apply(s, d), &[0.5, 0.4, 0.3, 0.625], 1e-15);
         let saturate = Blend::func(GL_SRC_ALPHA_SATURATE, GL_ONE);
         assert_near(&saturate.apply(s, d), &[0.4, 0.5, 0.6, 1.0], 1e-15);
-        let back = Blend { equation: GL_FUNC_REVERSE_SUBTRACT, ..Blend::func(GL_ONE, GL_ONE) };
+        let back = Blend { equation: [GL_FUNC_REVERSE_SUBTRACT; 2], ..Blend::func(GL_ONE, GL_ONE) };
         assert_near(&back.apply(s, d), &[0.0, 0.0, 0.6, 0.25], 1e-15);
-        let min = Blend { equation: GL_MIN, ..Blend::func(GL_ZERO, GL_ZERO) };
+        let min = Blend { equation: [GL_MIN; 2], ..Blend::func(GL_ZERO, GL_ZERO) };
         assert_near(&min.apply(s, d), &[0.2, 0.4, 0.0, 0.5], 1e-15);
         let apart = Blend { source: [GL_DST_COLOR, GL_ZERO], destination: [GL_ZERO, GL_ONE], ..Blend::default() };
         assert_near(&apart.apply(s, d), &[0.16, 0.16, 0.0, 0.75], 1e-15);

@@ -104,6 +104,8 @@ pub struct VertexState {
     pub units: Vec<CoordUnit>,
     /// FOG_COORDINATE_SOURCE is FOG_COORDINATE.
     pub fog_from_coordinate: bool,
+    /// FOG_DISTANCE_MODE_NV.
+    pub fog_distance: GLenum,
 }
 
 impl Default for VertexState {
@@ -116,6 +118,7 @@ impl Default for VertexState {
             lighting: None,
             units: vec![CoordUnit::default()],
             fog_from_coordinate: false,
+            fog_distance: GL_EYE_PLANE_ABSOLUTE_NV,
         }
     }
 }
@@ -204,7 +207,12 @@ impl VertexState {
             unit.matrix.apply(std::array::from_fn(coord))
         });
         let [front, back] = self.colors(v, eye, n);
-        let distance = (if eye[3] == 0.0 { eye[2] } else { eye[2] / eye[3] }).abs();
+        let [x, y, z] = [eye[0], eye[1], eye[2]].map(|c| if eye[3] == 0.0 { c } else { c / eye[3] });
+        let distance = match self.fog_distance {
+            GL_EYE_RADIAL_NV => (x * x + y * y + z * z).sqrt(),
+            GL_EYE_PLANE => z,
+            _ => z.abs(),
+        };
         Shaded {
             eye,
             clip: self.projection.apply(eye),

@@ -89,7 +89,7 @@ fn every_equation_and_separate_function_blends_as_the_oracle_does() {
         let mut all = Figures::default();
         for seed in 0..10 {
             let blend = Blend {
-                equation,
+                equation: [equation; 2],
                 source: [random.pick(&FACTORS), random.pick(&FACTORS)],
                 destination: [random.pick(&FACTORS), random.pick(&FACTORS)],
                 constant: std::array::from_fn(|_| random.range(0.0, 1.0)),
@@ -100,6 +100,158 @@ fn every_equation_and_separate_function_blends_as_the_oracle_does() {
         }
         all.within_one_lsb(&format!("blend equation {}", fixedgl::enums::name(equation)));
     }
+}
+
+#[test]
+fn separate_equations_blend_as_the_oracle_does() {
+    const EQUATIONS: [GLenum; 5] = [GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX];
+    let mut random = Random(71);
+    let mut all = Figures::default();
+    for rgb in EQUATIONS {
+        for alpha in EQUATIONS {
+            let blend = Blend {
+                equation: [rgb, alpha],
+                source: [random.pick(&FACTORS), random.pick(&FACTORS)],
+                destination: [random.pick(&FACTORS), random.pick(&FACTORS)],
+                constant: std::array::from_fn(|_| random.range(0.0, 1.0)),
+            };
+            let f = blended(blend, u64::from(rgb + alpha));
+            assert_eq!(f.off, 0, "{blend:?}: {f:?}");
+            all.merge(&f);
+        }
+    }
+    all.within_one_lsb("25 pairs of blend equations");
+    let mut cx = Context::new(4, 4);
+    cx.blend_equation_separate(GL_MIN, GL_FUNC_SUBTRACT);
+    let equations =
+        |cx: &mut Context| [GL_BLEND_EQUATION_RGB_EXT, GL_BLEND_EQUATION_ALPHA_EXT].map(|p| get_i(cx, p) as u32);
+    assert_eq!(equations(&mut cx), [GL_MIN, GL_FUNC_SUBTRACT]);
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.blend_equation_separate(GL_FUNC_ADD, GL_ADD));
+    assert_eq!(equations(&mut cx), [GL_MIN, GL_FUNC_SUBTRACT]);
+    cx.blend_equation(GL_MAX);
+    assert_eq!(equations(&mut cx), [GL_MAX; 2]);
+}
+
+/// The stencil operations on 8 bits with the reference value 5 (section 4.1.5).
+fn operated(op: GLenum, s: u8) -> u8 {
+    match op {
+        GL_KEEP => s,
+        GL_ZERO => 0,
+        GL_REPLACE => 5,
+        GL_INCR => s.saturating_add(1),
+        GL_DECR => s.saturating_sub(1),
+        GL_INVERT => !s,
+        GL_INCR_WRAP => s.wrapping_add(1),
+        GL_DECR_WRAP => s.wrapping_sub(1),
+        other => panic!("no stencil operation {other:#x}"),
+    }
+}
+
+#[test]
+fn front_and_back_faces_have_stencil_tests_of_their_own() {
+    const OPERATIONS: [GLenum; 8] =
+        [GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP];
+    let mut random = Random(5);
+    let pick = |random: &mut Random, all: &[GLenum]| random.pick(all);
+    for case in 0..300 {
+        let before = random.pick(&[0_u8, 4, 5, 6, 255]);
+        let funcs: [GLenum; 2] = std::array::from_fn(|_| pick(&mut random, &COMPARISONS));
+        let ops: [[GLenum; 3]; 2] = std::array::from_fn(|_| std::array::from_fn(|_| pick(&mut random, &OPERATIONS)));
+        let depth_passes = random.below(2) == 0;
+        let clockwise_is_front = random.below(3) == 0;
+        let mut cx = Context::new(24, 8);
+        cx.clear_stencil(i32::from(before));
+        cx.clear(GL_STENCIL_BUFFER_BIT);
+        cx.front_face(if clockwise_is_front { GL_CW } else { GL_CCW });
+        cx.enable(GL_STENCIL_TEST);
+        cx.enable(GL_DEPTH_TEST);
+        cx.depth_func(if depth_passes { GL_ALWAYS } else { GL_NEVER });
+        cx.stencil_func_separate(funcs[0], funcs[1], 5, 0xFF);
+        for (face, [fail, depth_fail, pass]) in [GL_FRONT, GL_BACK].into_iter().zip(ops) {
+            cx.stencil_op_separate(face, fail, depth_fail, pass);
+        }
+        // Left: counter-clockwise; middle: clockwise; right: a line and points, which are front faces. Large and small
+        // triangles are set up in different ways, and so are batches of them.
+        cx.matrix_mode(GL_PROJECTION);
+        cx.ortho(0.0, 24.0, 0.0, 8.0, -1.0, 1.0);
+        let quad = |cx: &mut Context, x: f32, size: f32, clockwise: bool| {
+            let mut corners = [[x, 0.0], [x + size, 0.0], [x + size, size], [x, size]];
+            if clockwise {
+                corners.reverse();
+            }
+            corners.iter().for_each(|corner| cx.vertex2fv(corner));
+        };
+        let (size, step) = if case % 2 == 0 { (8.0, 8.0) } else { (2.0, 8.0) };
+        cx.begin(GL_QUADS);
+        quad(&mut cx, 0.0, size, false);
+        quad(&mut cx, step, size, true);
+        cx.end();
+        cx.begin(GL_LINES);
+        cx.vertex2f(16.0, 0.5);
+        cx.vertex2f(24.0, 0.5);
+        cx.end();
+        // Polygon mode POINT: the points of a polygon are of its face.
+        cx.polygon_mode(GL_FRONT_AND_BACK, GL_POINT);
+        cx.begin(GL_TRIANGLES);
+        [[20.5, 7.5], [18.5, 5.5], [22.5, 5.5]].iter().rev().for_each(|p: &[f32; 2]| cx.vertex2fv(p));
+        cx.end();
+        no_error(&mut cx);
+        let expected = |face: usize| {
+            let passes = crate::oracle::fragment::passes(funcs[face], 5.0, f64::from(before));
+            let [fail, depth_fail, pass] = ops[face];
+            operated(
+                if !passes {
+                    fail
+                } else if depth_passes {
+                    pass
+                } else {
+                    depth_fail
+                },
+                before,
+            )
+        };
+        let (ccw, cw) = if clockwise_is_front { (1, 0) } else { (0, 1) };
+        let stencils = cx.stencils();
+        let at = |x: usize, y: usize| stencils[y * 24 + x];
+        let what = format!("case {case}: {funcs:x?} {ops:x?} {before} depth {depth_passes} cw {clockwise_is_front}");
+        assert_eq!([at(0, 0), at(1, 1)], [expected(ccw); 2], "counter-clockwise, {what}");
+        assert_eq!([at(8, 0), at(9, 1)], [expected(cw); 2], "clockwise, {what}");
+        assert_eq!(at(18, 0), expected(0), "line, {what}");
+        assert_eq!(at(20, 7), expected(cw), "a point of a clockwise polygon, {what}");
+        assert_eq!(at(7, 7), if size > 7.0 { expected(ccw) } else { before }, "{what}");
+    }
+}
+
+#[test]
+fn separate_stencil_state_can_be_asked_for_and_is_set_by_both_commands() {
+    let mut cx = Context::new(4, 4);
+    let ask = |cx: &mut Context| {
+        [
+            GL_STENCIL_FUNC,
+            GL_STENCIL_FAIL,
+            GL_STENCIL_PASS_DEPTH_FAIL,
+            GL_STENCIL_PASS_DEPTH_PASS,
+            GL_STENCIL_BACK_FUNC_ATI,
+            GL_STENCIL_BACK_FAIL_ATI,
+            GL_STENCIL_BACK_PASS_DEPTH_FAIL_ATI,
+            GL_STENCIL_BACK_PASS_DEPTH_PASS_ATI,
+        ]
+        .map(|pname| get_i(cx, pname) as u32)
+    };
+    assert_eq!(ask(&mut cx), [GL_ALWAYS, GL_KEEP, GL_KEEP, GL_KEEP, GL_ALWAYS, GL_KEEP, GL_KEEP, GL_KEEP]);
+    cx.stencil_func_separate(GL_LESS, GL_GREATER, 3, 7);
+    cx.stencil_op_separate(GL_BACK, GL_INCR, GL_DECR, GL_INVERT);
+    let set = [GL_LESS, GL_KEEP, GL_KEEP, GL_KEEP, GL_GREATER, GL_INCR, GL_DECR, GL_INVERT];
+    assert_eq!(ask(&mut cx), set);
+    assert_eq!([get_i(&mut cx, GL_STENCIL_REF), get_i(&mut cx, GL_STENCIL_VALUE_MASK)], [3, 7]);
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.stencil_func_separate(GL_LESS, GL_ADD, 0, 0));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.stencil_op_separate(GL_LEFT, GL_ZERO, GL_ZERO, GL_ZERO));
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.stencil_op_separate(GL_FRONT, GL_ZERO, GL_ZERO, GL_ADD));
+    assert_eq!(ask(&mut cx), set);
+    cx.stencil_func(GL_EQUAL, 1, 1);
+    cx.stencil_op(GL_ZERO, GL_KEEP, GL_REPLACE);
+    let one = [GL_EQUAL, GL_ZERO, GL_KEEP, GL_REPLACE];
+    assert_eq!(ask(&mut cx), [one, one].concat()[..]);
 }
 
 #[test]

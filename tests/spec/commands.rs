@@ -62,7 +62,7 @@ fn a_trace_shows_the_calls_in_order_with_enumerants_by_name() {
     assert_eq!(
         calls,
         [
-            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, 10497)",
+            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT)",
             "glNewList(1, GL_COMPILE)",
             "glColor3ub(1, 2, 3)",
             "glLightfv(GL_LIGHT0, GL_POSITION, [0.0, 1.0, 0.0, 0.0])",

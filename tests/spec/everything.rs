@@ -91,6 +91,12 @@ fn env(r: &mut Random, base: GLenum, units: u64) -> Env {
         let operand = r.pick(&[GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA]);
         combine.alpha_args[i] = Argument { source: source(r), operand };
     }
+    // With numbers of its own: the scenes that there were stay what they are.
+    let mut own = Random(r.0 ^ 0x00C0_4B14_E400);
+    let mode = if mode == GL_COMBINE && own.below(2) == 0 { GL_COMBINE4_NV } else { mode };
+    let source = own.pick(&[GL_TEXTURE, GL_CONSTANT, GL_PREVIOUS, GL_ZERO]);
+    combine.rgb_args[3] = Argument { source, operand: own.pick(&[GL_SRC_COLOR, GL_ONE_MINUS_SRC_ALPHA]) };
+    combine.alpha_args[3] = Argument { source, operand: own.pick(&[GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA]) };
     combine.rgb_scale = r.pick(&[1.0, 2.0]);
     Env { mode, color: std::array::from_fn(|_| r.range(0.0, 1.0)), combine }
 }
@@ -182,6 +188,8 @@ fn random_scene(r: &mut Random) -> Scene {
         let color = std::array::from_fn(|_| r.range(0.0, 1.0));
         scene.fog = Some(Fog { mode, density: 0.125, start: 1.0, end: 12.0, color });
         scene.vertex.fog_from_coordinate = r.below(3) == 0;
+        let mut own = Random(r.0 ^ 0x0F06_D157);
+        scene.vertex.fog_distance = own.pick(&[GL_EYE_PLANE_ABSOLUTE_NV, GL_EYE_RADIAL_NV]);
     }
     scene.alpha = (r.below(4) == 0).then_some((GL_GREATER, 0.25));
     scene.depth = (r.below(2) == 0).then_some((GL_LEQUAL, true));

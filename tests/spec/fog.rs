@@ -39,6 +39,27 @@ fn every_mode_and_source_agrees_with_the_oracle() {
 }
 
 #[test]
+fn every_distance_mode_agrees_with_the_oracle() {
+    let mut cx = Context::new(4, 4);
+    assert_eq!(get_i(&mut cx, GL_FOG_DISTANCE_MODE_NV) as u32, GL_EYE_PLANE_ABSOLUTE_NV);
+    raises(&mut cx, GL_INVALID_ENUM, |cx| cx.fogi(GL_FOG_DISTANCE_MODE_NV, GL_EYE_LINEAR));
+    for distance in [GL_EYE_RADIAL_NV, GL_EYE_PLANE, GL_EYE_PLANE_ABSOLUTE_NV] {
+        cx.fogiv(GL_FOG_DISTANCE_MODE_NV, &[distance as i32]);
+        assert_eq!(get_i(&mut cx, GL_FOG_DISTANCE_MODE_NV) as u32, distance);
+        for mode in [GL_LINEAR, GL_EXP] {
+            let mut scene = heap(96, 96, 12, 1.0, 8);
+            scene.vertex.fog_distance = distance;
+            let color = [0.5, 0.75, 0.125, 1.0];
+            // Eye z is negative in front of the eye.
+            let (start, end) = if distance == GL_EYE_PLANE { (-2.0, -11.0) } else { (2.0, 11.0) };
+            scene.fog = Some(Fog { mode, density: 0.1875, start, end, color });
+            let name = format!("fog distance {}", fixedgl::enums::name(distance));
+            compare(&scene, EDGES).within_one_lsb(&name);
+        }
+    }
+}
+
+#[test]
 fn the_colour_sum_comes_before_fog() {
     let mut scene = heap(96, 96, 12, 1.0, 18);
     scene.color_sum = true;

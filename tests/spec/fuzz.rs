@@ -108,6 +108,8 @@ const FORMATS: &[GLenum] = &[
     GL_RGBA,
     GL_RGB,
     GL_BGRA,
+    GL_ABGR_EXT,
+    GL_DEPTH_STENCIL_EXT,
     GL_ALPHA,
     GL_LUMINANCE,
     GL_LUMINANCE_ALPHA,

@@ -30,7 +30,7 @@ fn stretch(constant: f64) -> Env {
     let combine = Combine {
         rgb: GL_SUBTRACT,
         alpha: GL_REPLACE,
-        rgb_args: [arg(GL_PREVIOUS), arg(GL_CONSTANT), arg(GL_CONSTANT)],
+        rgb_args: [arg(GL_PREVIOUS), arg(GL_CONSTANT), arg(GL_CONSTANT), arg(GL_ZERO)],
         rgb_scale: 4.0,
         ..Combine::default()
     };

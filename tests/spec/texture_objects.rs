@@ -74,6 +74,7 @@ fn every_base_format_keeps_its_components() {
         (GL_RGBA8, GL_RGBA, &[0, 1, 2, 3]),
         (3, GL_RGB, &[0, 1, 2]),
         (4, GL_BGRA, &[2, 1, 0, 3]),
+        (4, GL_ABGR_EXT, &[3, 2, 1, 0]),
         (1, GL_LUMINANCE, &[0]),
         (2, GL_LUMINANCE_ALPHA, &[0, 3]),
     ] {

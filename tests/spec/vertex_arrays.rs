@@ -400,3 +400,87 @@ fn an_array_that_is_too_short_reads_as_zeros_and_says_so() {
     let heard = heard.lock().unwrap();
     assert!(heard.len() == 1 && heard[0].contains("vertex array has only 2"), "{heard:?}");
 }
+
+#[test]
+fn the_commands_of_ext_vertex_array_draw_as_those_of_opengl_1_1() {
+    let set = |gl: &mut Context| {
+        gl.vertex_pointer_ext(2, GL_SHORT, 0, 9, POSITIONS.as_flattened());
+        gl.color_pointer_ext(4, GL_UNSIGNED_BYTE, 4, 0, COLORS.as_flattened());
+    };
+    let picture = |f: &dyn Fn(&mut Context)| {
+        let mut gl = context();
+        scaled(&mut gl);
+        set(&mut gl);
+        f(&mut gl);
+        gl.check().unwrap();
+        gl.pixels()
+    };
+    let draw = |gl: &mut Context| gl.draw_elements(GL_TRIANGLES, 24, GL_UNSIGNED_BYTE, &INDICES);
+    // The arrays are turned on and off by Enable and Disable.
+    let enable = |gl: &mut Context| [GL_VERTEX_ARRAY_EXT, GL_COLOR_ARRAY_EXT].map(|array| gl.enable(array));
+    assert!(
+        picture(&|gl| {
+            enable(gl);
+            draw(gl);
+        }) == wanted()
+    );
+    // They are client state: a list that is open does not keep the switch, it happens at once.
+    assert!(
+        picture(&|gl| {
+            gl.new_list(1, GL_COMPILE);
+            enable(gl);
+            draw(gl);
+            gl.end_list();
+            gl.disable(GL_VERTEX_ARRAY_EXT);
+            gl.call_list(1);
+            assert!(!gl.is_enabled(GL_VERTEX_ARRAY_EXT) && gl.is_enabled(GL_COLOR_ARRAY_EXT));
+        }) == wanted()
+    );
+    assert!(
+        picture(&|gl| {
+            enable(gl);
+            gl.disable(GL_VERTEX_ARRAY_EXT);
+            draw(gl);
+        }) == context().pixels()
+    );
+}
+
+#[test]
+fn the_state_of_ext_vertex_array_can_be_asked_for() {
+    let mut gl = context();
+    let get = |gl: &mut Context, pname| {
+        let mut value = [-1];
+        gl.get_integerv(pname, &mut value);
+        gl.check().unwrap();
+        value[0]
+    };
+    gl.vertex_pointer_ext(2, GL_SHORT, 8, 5, POSITIONS.as_flattened());
+    gl.normal_pointer_ext(GL_BYTE, 0, 6, &[0_i8; 27]);
+    gl.color_pointer_ext(3, GL_FLOAT, 0, 7, &[0_f32; 27]);
+    gl.index_pointer_ext(GL_SHORT, 0, 8, &[0_i16; 9]);
+    gl.tex_coord_pointer_ext(1, GL_FLOAT, 0, 9, &[0_f32; 9]);
+    gl.edge_flag_pointer_ext(0, 4, &[0_u8; 9]);
+    for (pname, value) in [
+        (GL_VERTEX_ARRAY_COUNT_EXT, 5),
+        (GL_VERTEX_ARRAY_STRIDE_EXT, 8),
+        (GL_NORMAL_ARRAY_COUNT_EXT, 6),
+        (GL_COLOR_ARRAY_COUNT_EXT, 7),
+        (GL_COLOR_ARRAY_SIZE_EXT, 3),
+        (GL_INDEX_ARRAY_COUNT_EXT, 8),
+        (GL_TEXTURE_COORD_ARRAY_COUNT_EXT, 9),
+        (GL_EDGE_FLAG_ARRAY_COUNT_EXT, 4),
+    ] {
+        assert_eq!(get(&mut gl, pname), value, "{}", name(pname));
+    }
+    // A pointer command of OpenGL 1.1 promises nothing, and what is wrong changes nothing.
+    gl.vertex_pointer(3, GL_FLOAT, 0, &[0_f32; 27]);
+    assert_eq!(get(&mut gl, GL_VERTEX_ARRAY_COUNT_EXT), 0);
+    gl.color_pointer_ext(4, GL_FLOAT, 0, -1, &[0_f32; 27]);
+    assert_eq!(gl.get_error(), GL_INVALID_VALUE);
+    gl.color_pointer_ext(2, GL_FLOAT, 0, 1, &[0_f32; 27]);
+    assert_eq!(gl.get_error(), GL_INVALID_VALUE);
+    assert_eq!((get(&mut gl, GL_COLOR_ARRAY_SIZE_EXT), get(&mut gl, GL_COLOR_ARRAY_COUNT_EXT)), (3, 7));
+    // Arrays that the extension does not have are not enabled so.
+    gl.enable(GL_FOG_COORD_ARRAY);
+    assert_eq!(gl.get_error(), GL_INVALID_ENUM);
+}

@@ -243,7 +243,7 @@ fn environment(cx: &mut Context, env: &Env) {
     let t = GL_TEXTURE_ENV;
     cx.tex_envi(t, GL_TEXTURE_ENV_MODE, env.mode);
     cx.tex_envfv(t, GL_TEXTURE_ENV_COLOR, &f4(env.color));
-    if env.mode != GL_COMBINE {
+    if !matches!(env.mode, GL_COMBINE | GL_COMBINE4_NV) {
         return;
     }
     let c = &env.combine;
@@ -251,7 +251,7 @@ fn environment(cx: &mut Context, env: &Env) {
     cx.tex_envi(t, GL_COMBINE_ALPHA, c.alpha);
     cx.tex_envf(t, GL_RGB_SCALE, c.rgb_scale as f32);
     cx.tex_envf(t, GL_ALPHA_SCALE, c.alpha_scale as f32);
-    for i in 0..3 {
+    for i in 0..4 {
         let k = i as u32;
         cx.tex_envi(t, GL_SOURCE0_RGB + k, c.rgb_args[i].source);
         cx.tex_envi(t, GL_OPERAND0_RGB + k, c.rgb_args[i].operand);
@@ -280,6 +280,7 @@ fn fragments(cx: &mut Context, scene: &Scene) {
         cx.fogfv(GL_FOG_COLOR, &f4(fog.color));
         let source = if scene.vertex.fog_from_coordinate { GL_FOG_COORDINATE } else { GL_FRAGMENT_DEPTH };
         cx.fogi(GL_FOG_COORDINATE_SOURCE, source);
+        cx.fogi(GL_FOG_DISTANCE_MODE_NV, scene.vertex.fog_distance);
     }
     if let Some((func, reference)) = scene.alpha {
         cx.enable(GL_ALPHA_TEST);
@@ -292,7 +293,7 @@ fn fragments(cx: &mut Context, scene: &Scene) {
     }
     if let Some(b) = &scene.blend {
         cx.enable(GL_BLEND);
-        cx.blend_equation(b.equation);
+        cx.blend_equation_separate(b.equation[0], b.equation[1]);
         cx.blend_func_separate(b.source[0], b.destination[0], b.source[1], b.destination[1]);
         let [r, g, bl, a] = f4(b.constant);
         cx.blend_color(r, g, bl, a);

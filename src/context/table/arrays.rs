@@ -43,6 +43,19 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         now glEdgeFlagPointer edge_flag_pointer(stride: i32, pointer: array);
         /// Sets and enables arrays that share one piece of memory (section 2.8).
         now glInterleavedArrays interleaved_arrays(format: enum, stride: i32, pointer: array);
+        /// Sets the array of vertices, of which the first `count` never change (EXT_vertex_array); the promise is not
+        /// needed. `INVALID_VALUE` for a negative count.
+        now glVertexPointerEXT vertex_pointer_ext(size: i32, type_: enum, stride: i32, count: i32, pointer: array);
+        /// Sets the array of normals as `glVertexPointerEXT` does (EXT_vertex_array).
+        now glNormalPointerEXT normal_pointer_ext(type_: enum, stride: i32, count: i32, pointer: array);
+        /// Sets the array of colours as `glVertexPointerEXT` does (EXT_vertex_array).
+        now glColorPointerEXT color_pointer_ext(size: i32, type_: enum, stride: i32, count: i32, pointer: array);
+        /// Sets the array of colour indices as `glVertexPointerEXT` does (EXT_vertex_array).
+        now glIndexPointerEXT index_pointer_ext(type_: enum, stride: i32, count: i32, pointer: array);
+        /// Sets the array of texture coordinates as `glVertexPointerEXT` does (EXT_vertex_array).
+        now glTexCoordPointerEXT tex_coord_pointer_ext(size: i32, type_: enum, stride: i32, count: i32, pointer: array);
+        /// Sets the array of edge flags as `glVertexPointerEXT` does (EXT_vertex_array).
+        now glEdgeFlagPointerEXT edge_flag_pointer_ext(stride: i32, count: i32, pointer: array);
         /// Turns an array on (section 2.8).
         now glEnableClientState enable_client_state(array: enum);
         /// Turns an array off (section 2.8).

@@ -7,9 +7,9 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
     commands {
         /// Turns a capability on. `INVALID_ENUM` if there is none of this name.
         #[doc = include_str!("examples/enable.md")]
-        list glEnable enable(cap: enum);
+        client glEnable enable(cap: enum);
         /// Turns a capability off. `INVALID_ENUM` if there is none of this name.
-        list glDisable disable(cap: enum);
+        client glDisable disable(cap: enum);
         /// Sets the scissor box (section 4.1.2). `INVALID_VALUE` for a negative size.
         list glScissor scissor(x: i32, y: i32, width: i32, height: i32);
         /// Sets the alpha test (section 4.1.4). `INVALID_ENUM` if `func` is no comparison.
@@ -18,6 +18,12 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
         list glStencilFunc stencil_func(func: enum, reference: i32, mask: uint);
         /// Sets what the stencil buffer becomes (section 4.1.5). `INVALID_ENUM` for other operations.
         list glStencilOp stencil_op(fail: enum, zfail: enum, zpass: enum);
+        /// Sets the stencil test of front faces, points and lines, and of back faces (ATI_separate_stencil).
+        /// `INVALID_ENUM` if a function is no comparison.
+        list glStencilFuncSeparateATI stencil_func_separate(front: enum, back: enum, reference: i32, mask: uint);
+        /// Sets what the stencil buffer becomes for one or both faces of polygons (ATI_separate_stencil). `INVALID_ENUM`
+        /// for other faces and operations.
+        list glStencilOpSeparateATI stencil_op_separate(face: enum, fail: enum, zfail: enum, zpass: enum);
         /// Sets the depth comparison (section 4.1.6). `INVALID_ENUM` if `func` is no comparison.
         #[doc = include_str!("examples/depth_func.md")]
         list glDepthFunc depth_func(func: enum);
@@ -29,6 +35,8 @@ macro_rules! fragment_table { ($generate:ident) => { $generate! {
             sfactor_rgb: enum, dfactor_rgb: enum, sfactor_alpha: enum, dfactor_alpha: enum);
         /// Sets the equation of blending (section 4.1.8). `INVALID_ENUM` for other equations.
         list glBlendEquation | glBlendEquationEXT blend_equation(mode: enum);
+        /// Sets the blend equations of RGB and alpha (EXT_blend_equation_separate). `INVALID_ENUM` for other equations.
+        list glBlendEquationSeparateEXT blend_equation_separate(mode_rgb: enum, mode_alpha: enum);
         /// Sets the constant colour of blending (section 4.1.8); it is clamped to [0, 1].
         list glBlendColor | glBlendColorEXT blend_color(red: f32, green: f32, blue: f32, alpha: f32);
         /// Sets the logical operation (section 4.1.10). `INVALID_ENUM` for other operations.

@@ -12,10 +12,14 @@ macro_rules! allowed_inside {
     };
 }
 
-/// Whether a recorded command is carried out at once although a list is open: images of proxy targets are.
+/// Whether a recorded command is carried out at once although a list is open: images of proxy targets and switches of
+/// client state are.
 macro_rules! immediate {
     (proxy, $target:ident $(, $rest:ident)*) => {
         $crate::context::param_counts::is_proxy($target)
+    };
+    (client, $capability:ident) => {
+        $crate::context::arrays::is_array($capability)
     };
     ($class:ident $(, $a:ident)*) => {
         false

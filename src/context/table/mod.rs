@@ -17,7 +17,8 @@
 //!
 //! A row is `class glName | glAliasARB snake_name(argument: kind, ...) -> result`. Classes: `begin` may stand between Begin
 //! and End and is recorded in lists; `list` is recorded only; `proxy` is a `list` command that is carried out at once when
-//! its first argument is a proxy target; `now` is never recorded.
+//! its first argument is a proxy target; `client` is one that is carried out at once when its first argument is a vertex array
+//! (client state); `now` is never recorded.
 //!
 //! # Kinds of arguments (see `arg_kinds.rs`)
 //! `enum`, `bits`, `uint`, Rust's scalars, `int`, `float`, `bool` and `size` (doors take what C would convert); `[f32; 4]` a vector of
@@ -60,6 +61,8 @@ pub(crate) mod arg_kinds;
 pub(crate) mod arrays;
 pub(crate) mod chapters;
 pub(crate) mod evaluators;
+#[cfg(test)]
+mod extensions;
 pub(crate) mod fragment;
 pub(crate) mod generate;
 pub(crate) mod get;
@@ -71,7 +74,7 @@ pub(crate) mod ops;
 pub(crate) mod pixels;
 pub(crate) mod raster;
 #[cfg(test)]
-mod rows;
+pub(crate) mod rows;
 #[cfg(test)]
 mod tests;
 pub(crate) mod texture;

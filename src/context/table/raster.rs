@@ -21,6 +21,8 @@ macro_rules! raster_table { ($generate:ident) => { $generate! {
         list glPolygonMode polygon_mode(face: enum, mode: enum);
         /// Sets the depth offset of polygons (section 3.5.5).
         list glPolygonOffset polygon_offset(factor: f32, units: f32);
+        /// Sets the depth offset of polygons, its constant part in depths of [0, 1] (EXT_polygon_offset).
+        list glPolygonOffsetEXT polygon_offset_ext(factor: f32, bias: f32);
         /// Sets the stipple pattern of polygons: 32 rows of 32 bits under the unpack state (section 3.5.2).
         list glPolygonStipple polygon_stipple(mask: (rect [32, 32], GL_COLOR_INDEX, GL_BITMAP));
         /// Sets sample coverage for multisampling (section 4.1.3).

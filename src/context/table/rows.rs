@@ -12,6 +12,8 @@ pub enum Class {
     List,
     /// Like `List`, but carried out at once for a proxy target.
     Proxy,
+    /// Like `List`, but carried out at once for client state.
+    Client,
     /// Not allowed between Begin and End, never recorded.
     Now,
 }
@@ -36,6 +38,9 @@ macro_rules! class {
     };
     (proxy) => {
         $crate::context::table::rows::Class::Proxy
+    };
+    (client) => {
+        $crate::context::table::rows::Class::Client
     };
     (now) => {
         $crate::context::table::rows::Class::Now

@@ -67,7 +67,7 @@ impl Builder<'_> {
             let (Some(base), Some(state)) = (base, self.state.texture.units.get(unit)) else { continue };
             let form = combine(&state.env, *base, unit, |t| bases.get(t).is_some_and(Option::is_some));
             let reads = [form.rgb, form.alpha].iter().any(|half| {
-                half.args.iter().take(half.function.arity()).any(|a| match a.source {
+                half.args.iter().take(half.arity()).any(|a| match a.source {
                     ColorSource::Primary => true,
                     ColorSource::Previous => first,
                     _ => false,

@@ -214,8 +214,11 @@ impl Builder<'_> {
 
     /// Stencil and depth stages.
     fn stencil_and_depth(&mut self, tests: &Tests, depth_write: bool) {
-        if let Some(func) = tests.stencil {
-            self.push(&stencil::STENCIL_TEST, func as u32);
+        if let Some([front, back]) = tests.stencil {
+            match tests.two_sided {
+                false => self.push(&stencil::STENCIL_TEST, front as u32),
+                true => self.push(&stencil::STENCIL_TEST_TWO_SIDED, (front as u32) | (back as u32) << 3),
+            }
             self.program.reads_framebuffer = true;
         }
         if let Some(func) = tests.depth {
@@ -231,7 +234,8 @@ impl Builder<'_> {
             }
         }
         if tests.stencil.is_some() && tests.stencil_write {
-            self.push(&stencil::STENCIL_WRITE, 0);
+            let stage = if tests.two_sided { &stencil::STENCIL_WRITE_TWO_SIDED } else { &stencil::STENCIL_WRITE };
+            self.push(stage, 0);
         }
     }
 

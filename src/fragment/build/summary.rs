@@ -8,10 +8,10 @@ use crate::fragment::key::{Blending, ColorWrites, FogFactor, FragmentKey, Fragme
 use crate::fragment::pixel_rect::PixelValues;
 use crate::fragment::program::Fate;
 use crate::fragment::reference::blend::packed_pair;
-use crate::fragment::uniforms::{BlendUniforms, StencilUniforms};
+use crate::fragment::uniforms::{BlendUniforms, StencilOps, StencilUniforms};
 use crate::num::clamp01;
 use crate::state::color_buffer::{BlendEquation, BlendFactor, ColorBufferName, LogicOp};
-use crate::state::depth_stencil::StencilOp;
+use crate::state::depth_stencil::{StencilFace, StencilOp};
 use crate::state::fog::FogMode;
 use crate::state::lighting::ColorControl;
 
@@ -80,20 +80,24 @@ impl Builder<'_> {
         let depth = if depth_on { d.func } else { CompareFunc::Always };
         let depth_write = depth_on && d.mask && depth != CompareFunc::Never;
         let stencil_on = s.test && self.format.stencil_bits != 0;
-        let func = if stencil_on { s.func } else { CompareFunc::Always };
+        let funcs = s.faces.map(|face| if stencil_on { face.func } else { CompareFunc::Always });
         let op = |on: bool, value| if stencil_on && on { value } else { StencilOp::Keep };
+        let ops = |face: StencilFace| StencilOps {
+            fail: op(face.func != CompareFunc::Always, face.fail),
+            depth_fail: op(face.func != CompareFunc::Never && depth != CompareFunc::Always, face.depth_fail),
+            pass: op(face.func != CompareFunc::Never && depth != CompareFunc::Never, face.depth_pass),
+        };
         let stencil = StencilUniforms {
             reference: s.reference.clamp(0, 255).cast_unsigned(),
             value_mask: s.value_mask & 0xFF,
             write_mask: if stencil_on { s.write_mask & 0xFF } else { 0 },
-            fail: op(func != CompareFunc::Always, s.fail),
-            depth_fail: op(func != CompareFunc::Never && depth != CompareFunc::Always, s.depth_fail),
-            pass: op(func != CompareFunc::Never && depth != CompareFunc::Never, s.depth_pass),
+            faces: s.faces.map(ops),
         };
-        let keeps = [stencil.fail, stencil.depth_fail, stencil.pass].iter().all(|op| *op == StencilOp::Keep);
-        let stencil_write = stencil.write_mask != 0 && !keeps;
+        let stencil_write = stencil.write_mask != 0 && stencil.faces != [StencilOps::default(); 2];
+        let passes = funcs == [CompareFunc::Always; 2];
+        let two_sided = funcs[0] != funcs[1] || (stencil_write && stencil.faces[0] != stencil.faces[1]);
         self.program.uniforms.stencil = stencil;
-        let keep_stencil = func != CompareFunc::Always || stencil_write || (general && self.format.stencil_bits != 0);
+        let keep_stencil = !passes || stencil_write || (general && self.format.stencil_bits != 0);
         let keep_depth = depth != CompareFunc::Always || depth_write || (general && self.format.depth_bits != 0);
         let off = |on: bool| match on {
             true => "the test is on, but passes every fragment and writes nothing",
@@ -110,7 +114,11 @@ impl Builder<'_> {
         }
         if keep_stencil {
             let writes = if stencil_write { "writes" } else { "writes nothing" };
-            self.decide("stencil test", Fate::Kept, format_args!("{}, {writes}", func.name()));
+            let [front, back] = funcs.map(CompareFunc::name);
+            match two_sided {
+                false => self.decide("stencil test", Fate::Kept, format_args!("{front}, {writes}")),
+                true => self.decide("stencil test", Fate::Kept, format_args!("front {front}, back {back}, {writes}")),
+            }
         } else {
             self.decide("stencil test", Fate::LeftOut, off(stencil_on));
         }
@@ -122,7 +130,8 @@ impl Builder<'_> {
         }
         Tests {
             alpha: (alpha != CompareFunc::Always || general).then_some(alpha),
-            stencil: keep_stencil.then_some(func),
+            stencil: keep_stencil.then_some(funcs),
+            two_sided: keep_stencil && (two_sided || general),
             stencil_write: stencil_write || (general && keep_stencil),
             depth: keep_depth.then_some(depth),
             depth_write,
@@ -140,7 +149,7 @@ impl Builder<'_> {
             color: c.blend_color.map(clamp01),
         };
         let off = BlendUniforms { src: [BlendFactor::One; 2], dst: [BlendFactor::Zero; 2], ..BlendUniforms::default() };
-        let copies = blend.equation == BlendEquation::Add && blend.src == off.src && blend.dst == off.dst;
+        let copies = blend.equation == [BlendEquation::Add; 2] && blend.src == off.src && blend.dst == off.dst;
         let reason = match (c.blend, c.logic_op_enabled && !self.format.float, copies) {
             (false, ..) => "GL_BLEND is off",
             (_, true, _) => "a logic op takes its place",

@@ -34,7 +34,7 @@ enum Leaves {
 /// What a half of an environment does, if it is one of the steps that can round at once. `operands` are those that read
 /// the half's own channels.
 fn step(half: &CombineHalf, unit: usize, operands: &[CombineOperand]) -> Option<EnvStep> {
-    let args = half.args.get(..half.function.arity())?;
+    let args = half.args.get(..half.arity())?;
     if half.scale != 1.0 || !args.iter().all(|a| operands.contains(&a.operand)) {
         return None;
     }
@@ -162,9 +162,7 @@ impl Builder<'_> {
             }
             let form = combine(&state.env, *base, unit, |t| bases.get(t).is_some_and(Option::is_some));
             color_taken = false;
-            for argument in
-                [form.rgb, form.alpha].iter().flat_map(|half| half.args.into_iter().take(half.function.arity()))
-            {
+            for argument in [form.rgb, form.alpha].iter().flat_map(|half| half.args.into_iter().take(half.arity())) {
                 match argument.source {
                     ColorSource::Texture(t) => textures |= 1u32.checked_shl(t as u32).unwrap_or(0),
                     ColorSource::Previous => color_taken = true,

@@ -110,7 +110,7 @@ stage! {
     pub fn BLEND: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for c in 0..4 {
             let half = usize::from(c == 3);
-            match u.blend.equation {
+            match u.blend.equation[half] {
                 BlendEquation::Min => combine(b, u, c, |s, d, _| min_f32(s, d)),
                 BlendEquation::Max => combine(b, u, c, |s, d, _| max_f32(s, d)),
                 equation => {
@@ -155,7 +155,8 @@ const PACKED_PAIRS: [(BlendFactor, BlendFactor); 6] = [
 
 /// The number of [`BLEND_PACKED`] that does this blending, if there is one.
 pub fn packed_pair(blend: &BlendUniforms) -> Option<u32> {
-    let same = blend.src[0] == blend.src[1] && blend.dst[0] == blend.dst[1] && blend.equation == BlendEquation::Add;
+    let same =
+        blend.src[0] == blend.src[1] && blend.dst[0] == blend.dst[1] && blend.equation == [BlendEquation::Add; 2];
     let at = PACKED_PAIRS.iter().position(|pair| *pair == (blend.src[0], blend.dst[0]))?;
     same.then_some(at as u32)
 }

@@ -69,7 +69,7 @@ fn blending_is_the_equation() {
                 let src: [f64; 4] = std::array::from_fn(|_| f64::from(r.unit() as f32));
                 let k: [f32; 4] = std::array::from_fn(|_| r.unit() as f32);
                 let c = &mut state.color_buffer;
-                (c.blend_src, c.blend_dst, c.blend_equation, c.blend_color) = ([sf, sa], [df, da], equation, k);
+                (c.blend_src, c.blend_dst, c.blend_equation, c.blend_color) = ([sf, sa], [df, da], [equation; 2], k);
                 let (got, ..) = one(&state, src, 0.0, dst, 0, 0);
                 let (d, k) = (dst.map(|b| f64::from(b) / 255.0), k.map(f64::from));
                 for c in 0..4 {
@@ -195,11 +195,11 @@ fn stencil_operations_are_those_of_the_three_cases() {
                 (state.stencil.test, state.depth.test) = (true, true);
                 state.stencil.reference = 0x35;
                 state.stencil.write_mask = r.pick(&[0xFF, 0x0F, 0xFFFF_FF80]);
-                state.stencil.func = if case == 0 { CompareFunc::Never } else { CompareFunc::Always };
+                let face = &mut state.stencil.faces[0];
+                face.func = if case == 0 { CompareFunc::Never } else { CompareFunc::Always };
+                *[&mut face.fail, &mut face.depth_fail, &mut face.depth_pass][case] = op;
                 state.depth.func = if case == 1 { CompareFunc::Greater } else { CompareFunc::Less };
-                let st = &mut state.stencil;
-                *[&mut st.fail, &mut st.depth_fail, &mut st.depth_pass][case] = op;
-                let mask = st.write_mask as u8;
+                let mask = state.stencil.write_mask as u8;
                 let (c, d, got) = one(&state, [1.0; 4], 50.0, [0; 4], 100, s);
                 assert_eq!(got, (f(s, 0x35) & mask) | (s & !mask), "{op:?} of {s}, case {case}");
                 assert_eq!((c, d), if case == 2 { ([255; 4], 50) } else { ([0; 4], 100) });
@@ -207,7 +207,7 @@ fn stencil_operations_are_those_of_the_three_cases() {
         }
     }
     let mut state = State::default();
-    (state.stencil.test, state.stencil.func) = (true, CompareFunc::Less);
+    (state.stencil.test, state.stencil.faces[0].func) = (true, CompareFunc::Less);
     (state.stencil.reference, state.stencil.value_mask) = (0x41, 0x0F);
     assert_eq!(one(&state, [1.0; 4], 0.0, [0; 4], 0, 0x32).0, [255; 4], "1 < 2 under the mask");
     assert_eq!(one(&state, [1.0; 4], 0.0, [0; 4], 0, 0xF1).0, [0; 4], "1 < 1 under the mask");

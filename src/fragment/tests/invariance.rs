@@ -8,7 +8,7 @@ use crate::simd::Level;
 use crate::state::State;
 use crate::state::color_buffer::{BlendEquation, BlendFactor, LogicOp};
 use crate::state::compare::CompareFunc;
-use crate::state::depth_stencil::StencilOp;
+use crate::state::depth_stencil::{StencilFace, StencilOp};
 use crate::state::fog::FogMode;
 use crate::state::lighting::ColorControl;
 
@@ -19,12 +19,17 @@ fn state(r: &mut Random) -> State {
     s.depth.func = r.pick(&CompareFunc::ALL);
     s.depth.mask = r.bool();
     s.stencil.test = r.below(3) == 0;
-    s.stencil.func = r.pick(&CompareFunc::ALL);
     s.stencil.reference = r.below(300) as i32 - 20;
     s.stencil.value_mask = r.pick(&[u32::MAX, 0x0F]);
     s.stencil.write_mask = r.pick(&[u32::MAX, 0xF0, 0]);
-    (s.stencil.fail, s.stencil.depth_fail, s.stencil.depth_pass) =
-        (r.pick(&StencilOp::ALL), r.pick(&StencilOp::ALL), r.pick(&StencilOp::ALL));
+    let mut face = || StencilFace {
+        func: r.pick(&CompareFunc::ALL),
+        fail: r.pick(&StencilOp::ALL),
+        depth_fail: r.pick(&StencilOp::ALL),
+        depth_pass: r.pick(&StencilOp::ALL),
+    };
+    let (front, back) = (face(), face());
+    s.stencil.faces = [front, if r.bool() { front } else { back }];
     let c = &mut s.color_buffer;
     c.alpha_test = r.below(3) == 0;
     c.alpha_func = r.pick(&CompareFunc::ALL);
@@ -46,9 +51,10 @@ fn state(r: &mut Random) -> State {
     if r.below(8) == 0 {
         (c.blend_src[1], c.blend_dst[1]) = (r.pick(&BlendFactor::ALL), r.pick(&BlendFactor::ALL));
     }
-    c.blend_equation = match r.below(3) {
-        0 => r.pick(&[BlendEquation::Subtract, BlendEquation::ReverseSubtract, BlendEquation::Min, BlendEquation::Max]),
-        _ => BlendEquation::Add,
+    c.blend_equation = match r.below(4) {
+        0 => [r.pick(&BlendEquation::ALL); 2],
+        1 => [r.pick(&BlendEquation::ALL), r.pick(&BlendEquation::ALL)],
+        _ => [BlendEquation::Add; 2],
     };
     c.blend_color = std::array::from_fn(|_| r.unit() as f32);
     c.logic_op_enabled = r.below(6) == 0;
@@ -161,7 +167,7 @@ fn no_plane_makes_it_panic() {
             let (z, d) = (linear(&mut r), linear(&mut r));
             let (affine, wide) = (r.bool(), r.pick(&[0, u32::MAX]));
             let origin = [r.pick(&[0, i32::MAX, i32::MIN]), r.pick(&[0, i32::MAX, i32::MIN])];
-            scene.planes.push(Planes { origin, z, d, affine, wide, first, member: None });
+            scene.planes.push(Planes { origin, z, d, affine, back: r.bool(), wide, first, member: None });
         }
         for level in Level::available() {
             for general in [false, true] {

@@ -71,7 +71,16 @@ impl Scene {
             self.pool.push(Plane { c: c as f32, min: min as f32, max: max as f32, n0: n.at, nx: n.x, ny: n.y });
         }
         let affine = r == [1.0; 3];
-        self.planes.push(Planes { origin, z: linear(z), d: linear(r), affine, wide: 0, first, member: None });
+        self.planes.push(Planes {
+            origin,
+            z: linear(z),
+            d: linear(r),
+            affine,
+            back: false,
+            wide: 0,
+            first,
+            member: None,
+        });
         self.planes.len() as u32 - 1
     }
 }

@@ -90,6 +90,7 @@ fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool, flats: u64) 
         z: linear(corners(1.6e7)),
         d: linear(w),
         affine,
+        back: false,
         wide: if wide { 0b101 } else { 0 },
         first: 0,
         member: None,

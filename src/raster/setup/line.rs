@@ -58,7 +58,7 @@ impl SceneGeometry {
         let scale = cx.rs.depth_scale;
         let mut z = finite(snapped.linear([a.window[2] * scale, b.window[2] * scale, b.window[2] * scale]));
         z.at += s.offset;
-        let mut planes = Planes { origin, z, ..Planes::default() };
+        let mut planes = Planes { origin, z, back: s.back, ..Planes::default() };
         let corner = [s.v[0].slots, s.v[1].slots, s.v[1].slots];
         let values = CornerValues { corner, provoking: s.provoking, back: s.back, w: [wa, wb, wb] };
         cx.plan.planes(&basis, &values, &mut planes, &mut self.pool);

@@ -54,6 +54,11 @@ impl PlaneBuffer {
         self.used
     }
 
+    /// The last planes, to be changed.
+    pub(crate) fn last_mut(&mut self, count: usize) -> &mut [Plane] {
+        self.planes.get_mut(self.used.saturating_sub(count)..self.used).unwrap_or(&mut [])
+    }
+
     /// Forgets all but the first planes.
     pub fn truncate(&mut self, len: usize) {
         self.used = self.used.min(len);

@@ -199,6 +199,25 @@ impl SetupPlan {
         }
     }
 
+    /// Makes the planes of a sprite's texture coordinates, in place of those of its vertex: s grows from 0 to 1 from the
+    /// left edge to the right one, t from the upper edge to the lower one, r is 0 and q is 1. `center` is the middle of the
+    /// sprite, `size` its side, both in pixels, from the middle of the origin pixel.
+    pub(crate) fn sprite_planes(&self, units: u32, center: [f64; 2], size: f64, out: &mut [Plane]) {
+        let step = 1.0 / size;
+        let axis = |at: f64, x: f64, y: f64| Plane { c: 0.0, min: 0.0, max: 1.0, n0: at, nx: x, ny: y };
+        let planes = [axis(0.5 - center[0] * step, step, 0.0), axis(0.5 + center[1] * step, 0.0, -step), constant(0.0)];
+        for (_, slots) in self.units.iter().filter(|(unit, _)| units >> unit & 1 != 0) {
+            for (k, plane) in planes.iter().enumerate().take(slots.count) {
+                if let Some(out) = out.get_mut(slots.base + k) {
+                    *out = *plane;
+                }
+            }
+            if let Some(q) = out.get_mut(slots.base + slots.count).filter(|_| slots.has_q) {
+                *q = Plane { n0: 1.0, ..Plane::default() };
+            }
+        }
+    }
+
     /// Makes colours anew where they are not those of the corners: flat shading, back faces.
     fn colors(&self, weights: &Weights, values: &CornerValues, four: &mut FourPlanes, out: &mut [Plane]) {
         for (to, from, n) in self.color_slots(values.back) {

@@ -1,6 +1,6 @@
-//! Points (OpenGL 1.5, section 3.3): aliased ones are squares of a rounded size, smooth ones discs with coverage. All
-//! values are those of the vertex, so their planes have no slope. A point is drawn or not by its centre; its square may
-//! reach beyond the viewport.
+//! Points (OpenGL 1.5, section 3.3): aliased ones are squares of a rounded size, smooth ones discs with coverage, sprites
+//! squares of their exact size (ARB_point_sprite). All values are those of the vertex, so their planes have no slope, but
+//! for the texture coordinates of sprites. A point is drawn or not by its centre; its square may reach beyond the viewport.
 
 use super::SetupContext;
 use super::basis::{Basis, CornerValues};
@@ -36,6 +36,15 @@ fn square(center: [i32; 2], size: i32) -> Rect {
     Rect::sized(low[0], low[1], size, size)
 }
 
+/// The pixels of a sprite: those whose centres lie in a square of the side `size` around the point.
+fn sprite(center: [i32; 2], size: f32) -> Rect {
+    // Pixel x is in it where low <= x + 1/2 < low + size.
+    let first = |low: f64| (low - 0.5).ceil() as i32;
+    let [x, y] = center.map(|c| f64::from(c) * (1.0 / 256.0) - f64::from(size) * 0.5);
+    let (x0, y0) = (first(x), first(y));
+    Rect { x0, y0, x1: first(x + f64::from(size)), y1: first(y + f64::from(size)) }
+}
+
 impl SceneGeometry {
     /// Sets up a point.
     pub(crate) fn point(&mut self, cx: &SetupContext, dot: &PointInput) {
@@ -46,7 +55,13 @@ impl SceneGeometry {
         }
         let origin = center.map(|c| c >> 8);
         let size = limited_point(head.point_size);
-        let cover = if cx.rs.smooth[0] {
+        let cover = if cx.rs.sprite.is_some() {
+            let rect = sprite(center, size).and(cx.rs.clip);
+            if rect.is_empty() {
+                return;
+            }
+            Coverage::Rect(rect)
+        } else if cx.rs.smooth[0] {
             let radius = f64::from(size) * 0.5;
             let reach = (size * 0.5) as i32 + 2;
             let around = Rect::sized(origin[0] - reach, origin[1] - reach, 2 * reach + 1, 2 * reach + 1);
@@ -65,6 +80,10 @@ impl SceneGeometry {
             Coverage::Rect(rect)
         };
         let planes = self.point_planes(cx, dot, origin);
+        if let Some(units) = cx.rs.sprite.filter(|units| *units != 0) {
+            let middle = [0, 1].map(|k: usize| f64::from(center[k] - (origin[k] << 8)) * (1.0 / 256.0) - 0.5);
+            cx.plan.sprite_planes(units, middle, f64::from(size), self.pool.last_mut(cx.plan.layout().count));
+        }
         self.push(cover, cx.draw, planes, (size * size) as u64 + 1);
     }
 
@@ -73,7 +92,7 @@ impl SceneGeometry {
         let head = dot.v.head;
         let at = head.window[2] * cx.rs.depth_scale + dot.offset;
         let z = Linear { at: if at.is_finite() { at } else { 0.0 }, x: 0.0, y: 0.0 };
-        let mut planes = Planes { origin, z, ..Planes::default() };
+        let mut planes = Planes { origin, z, back: dot.back, ..Planes::default() };
         let slots = dot.v.slots;
         let values =
             CornerValues { corner: [slots; 3], provoking: dot.provoking, back: dot.back, w: [head.clip[3]; 3] };

@@ -152,7 +152,9 @@ impl SceneGeometry {
         let (origin, det) = (origin(&v), pixels(area));
         let (z, _) = depth(cx, &v, origin, det, mode);
         let basis = basis(&v, origin, det);
-        let mut planes = Planes { origin, z, ..Planes::default() };
+        // Not `back`: the colours of a triangle of a batch are those of the visible side already.
+        let back_face = area == 0 || (area > 0) != cx.rs.ccw_is_front;
+        let mut planes = Planes { origin, z, back: back_face, ..Planes::default() };
         let values =
             CornerValues { corner: t.v.map(|v| v.slots), provoking: t.provoking, back, w: v.map(|v| v.clip[3]) };
         cx.plan.planes(&basis, &values, &mut planes, &mut self.pool);

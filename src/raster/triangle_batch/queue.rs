@@ -178,6 +178,7 @@ impl SceneGeometry {
             z: of(&batch.z),
             d: of(&batch.bases.d),
             affine: batch.affine[lane],
+            back: (batch.area[lane] > 0) != cx.rs.ccw_is_front,
             wide: 0,
             first,
             member: Some(lane as u8),

@@ -1,5 +1,5 @@
 //! The COMBINE functions (OpenGL 1.5, section 3.8.13, tables 3.23 to 3.25): the one form that every texture environment
-//! is brought into, and the stages that run it. Colour and alpha are separate halves: each takes up to three arguments
+//! is brought into, and the stages that run it. Colour and alpha are separate halves: each takes up to four arguments
 //! (a source seen through an operand), a function, a scale, and ends limited to [0, 1].
 //!
 //! The general way loads arguments into `args` and then runs a function. What occurs in nearly every scene has stages of
@@ -33,6 +33,8 @@ pub enum ColorSource {
     Primary,
     /// The result of the unit before, or of none the primary colour.
     Previous,
+    /// 0.
+    Zero,
 }
 
 /// An argument.
@@ -49,8 +51,10 @@ pub struct Argument {
 pub struct CombineHalf {
     /// The function.
     pub function: CombineFunction,
+    /// Whether the function is one of the products of the first and of the last two arguments (COMBINE4).
+    pub products: bool,
     /// Its arguments; those beyond its arity mean nothing.
-    pub args: [Argument; 3],
+    pub args: [Argument; 4],
     /// 1, 2 or 4.
     pub scale: f32,
 }
@@ -104,6 +108,7 @@ fn source_code(source: ColorSource) -> u32 {
         ColorSource::Constant(unit) => 8 | (unit as u32 & 7),
         ColorSource::Primary => 16,
         ColorSource::Previous => 17,
+        ColorSource::Zero => 18,
     }
 }
 
@@ -145,6 +150,10 @@ fn channel<'a>(
     match code {
         0..8 => &texel[code as usize & 7][c],
         16 => &primary[c],
+        18 => {
+            *constant = [0.0; LANES];
+            constant
+        }
         _ => {
             *constant = [u.colors[code as usize & 7][c]; LANES];
             constant
@@ -162,12 +171,25 @@ fn scale(arg: u32, c: usize) -> f32 {
 /// Writes `f(a0, a1, a2)`, scaled and limited, to the channels of `previous`.
 #[inline(always)]
 fn per_channel(b: &mut TexBatch, arg: u32, f: impl Fn(f32, f32, f32) -> f32) {
-    let TexBatch { previous, args: [a0, a1, a2], .. } = b;
+    let TexBatch { previous, args: [a0, a1, a2, _], .. } = b;
     for c in channels(arg & CHANNELS) {
         let k = scale(arg, c);
         let (out, a0, a1, a2) = (&mut previous[c], &a0[c], &a1[c], &a2[c]);
         for i in 0..LANES {
             out[i] = clamp01(f(a0[i], a1[i], a2[i]) * k);
+        }
+    }
+}
+
+/// Writes the sum of the two products and `plus`, scaled and limited, to the channels of `previous`.
+#[inline(always)]
+fn products(b: &mut TexBatch, arg: u32, plus: f32) {
+    let TexBatch { previous, args: [a0, a1, a2, a3], .. } = b;
+    for c in channels(arg & CHANNELS) {
+        let k = scale(arg, c);
+        let (out, a0, a1, a2, a3) = (&mut previous[c], &a0[c], &a1[c], &a2[c], &a3[c]);
+        for i in 0..LANES {
+            out[i] = clamp01((a0[i] * a1[i] + a2[i] * a3[i] + plus) * k);
         }
     }
 }
@@ -214,12 +236,13 @@ stage! {
             0..8 => &texel[code as usize & 7],
             16 => &*primary,
             17 => &*previous,
+            18 => &[[0.0; LANES]; 4],
             _ => {
                 constant = u.colors[code as usize & 7].map(|c| [c; LANES]);
                 &constant
             }
         };
-        let out = &mut args[(arg >> 11 & 3).min(2) as usize];
+        let out = &mut args[(arg >> 11 & 3) as usize];
         for c in channels(arg & CHANNELS) {
             let source = &source[if arg >> 10 & 1 != 0 { 3 } else { c }];
             if arg >> 9 & 1 == 0 {
@@ -247,6 +270,14 @@ stage! {
     pub fn COMBINE_ADD_SIGNED: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
         per_channel(b, arg, |a0, a1, _| a0 + a1 - 0.5);
     }
+    /// COMBINE4 with ADD.
+    pub fn COMBINE4_ADD: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        products(b, arg, 0.0);
+    }
+    /// COMBINE4 with ADD_SIGNED.
+    pub fn COMBINE4_ADD_SIGNED: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
+        products(b, arg, -0.5);
+    }
     /// COMBINE with INTERPOLATE.
     pub fn COMBINE_INTERPOLATE: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
         per_channel(b, arg, |a0, a1, a2| a0 * a2 + a1 * (1.0 - a2));
@@ -257,7 +288,7 @@ stage! {
     }
     /// COMBINE with DOT3_RGB or DOT3_RGBA, by the channels of the argument.
     pub fn COMBINE_DOT3: EnvFn = (b: &mut TexBatch, _u: &EnvUniforms, arg: u32) {
-        let TexBatch { previous, args: [x, y, dot], .. } = b;
+        let TexBatch { previous, args: [x, y, dot, _], .. } = b;
         for i in 0..LANES {
             let term = |c: usize| (x[c][i] - 0.5) * (y[c][i] - 0.5);
             dot[0][i] = 4.0 * (term(0) + term(1) + term(2));

@@ -11,8 +11,9 @@ use crate::simd::{Level, Plan, Stage};
 use crate::state::texture::{CombineFunction, CombineOperand, CombineSource, Env, EnvMode};
 use combine::{
     ALPHA, Argument, COMBINE_ADD, COMBINE_ADD_SIGNED, COMBINE_DOT3, COMBINE_INTERPOLATE, COMBINE_MODULATE,
-    COMBINE_REPLACE, COMBINE_SUBTRACT, ColorSource, Combine, CombineHalf, ENV_ADD, ENV_ARGUMENT, ENV_INTERPOLATE,
-    ENV_MODULATE, ENV_REPLACE, EnvFn, EnvUniforms, RGB, argument, direct, function, weighted,
+    COMBINE_REPLACE, COMBINE_SUBTRACT, COMBINE4_ADD, COMBINE4_ADD_SIGNED, ColorSource, Combine, CombineHalf, ENV_ADD,
+    ENV_ARGUMENT, ENV_INTERPOLATE, ENV_MODULATE, ENV_REPLACE, EnvFn, EnvUniforms, RGB, argument, direct, function,
+    weighted,
 };
 
 /// The environments of all units as a plan.
@@ -30,8 +31,8 @@ const fn arg(source: ColorSource, operand: CombineOperand) -> Argument {
 
 const PREVIOUS: Argument = arg(ColorSource::Previous, CombineOperand::SrcColor);
 
-const fn half(function: CombineFunction, args: [Argument; 3]) -> CombineHalf {
-    CombineHalf { function, args, scale: 1.0 }
+const fn half(function: CombineFunction, [a, b, c]: [Argument; 3]) -> CombineHalf {
+    CombineHalf { function, products: false, args: [a, b, c, c], scale: 1.0 }
 }
 
 /// The half that leaves the colour as it comes.
@@ -67,12 +68,12 @@ pub fn combine(env: &Env, base: BaseFormat, unit: usize, enabled: impl Fn(usize)
         },
         EnvMode::Blend => (color(blend), if base == Intensity { blend } else { alpha(modulate) }),
         EnvMode::Add => (color(add), if base == Intensity { add } else { alpha(modulate) }),
-        EnvMode::Combine => return general(env, unit, enabled),
+        EnvMode::Combine | EnvMode::Combine4 => return general(env, unit, enabled),
     };
     Combine { rgb, alpha }
 }
 
-/// COMBINE itself: its names turned into [`Combine`].
+/// COMBINE and COMBINE4 themselves: their names turned into [`Combine`].
 fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
     let source = |source: CombineSource| match source {
         CombineSource::Texture => ColorSource::Texture(unit),
@@ -80,9 +81,12 @@ fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
         CombineSource::Constant => ColorSource::Constant(unit),
         CombineSource::PrimaryColor => ColorSource::Primary,
         CombineSource::Previous => ColorSource::Previous,
+        CombineSource::Zero => ColorSource::Zero,
     };
+    let sums = env.mode == EnvMode::Combine4;
     let half = |k: usize| CombineHalf {
         function: env.combine[k],
+        products: sums && matches!(env.combine[k], CombineFunction::Add | CombineFunction::AddSigned),
         args: std::array::from_fn(|i| arg(source(env.source[i][k]), env.operand[i][k])),
         scale: env.scale[k],
     };
@@ -101,8 +105,8 @@ fn general(env: &Env, unit: usize, enabled: impl Fn(usize) -> bool) -> Combine {
             CombineOperand::OneMinusSrcColor | CombineOperand::OneMinusSrcAlpha => CombineOperand::OneMinusSrcColor,
         };
     }
-    let alpha_used = if rgb.function.gives_alpha() { 0 } else { alpha.function.arity() };
-    let mut read = rgb.args[..rgb.function.arity()].iter().chain(&alpha.args[..alpha_used]);
+    let alpha_used = if rgb.function.gives_alpha() { 0 } else { alpha.arity() };
+    let mut read = rgb.args[..rgb.arity()].iter().chain(&alpha.args[..alpha_used]);
     if read.any(|a| matches!(a.source, ColorSource::Texture(t) if t != unit && !enabled(t))) {
         return Combine { rgb: KEEP, alpha: KEEP };
     }
@@ -125,14 +129,20 @@ impl PartialEq for Direct {
 }
 
 impl CombineHalf {
+    /// How many arguments it reads.
+    #[must_use]
+    pub fn arity(&self) -> usize {
+        if self.products { 4 } else { self.function.arity() }
+    }
+
     /// The cheap stage that does what this half does, if there is one.
     fn direct(&self) -> Option<Direct> {
         let plain = |a: &Argument| a.operand == CombineOperand::SrcColor;
-        let args = &self.args[..self.function.arity()];
-        if self.scale != 1.0 || !args.iter().take(2).all(plain) {
+        let args = &self.args[..self.arity()];
+        if self.products || self.scale != 1.0 || !args.iter().take(2).all(plain) {
             return None;
         }
-        let [first, second, third] = self.args.map(|a| a.source);
+        let [first, second, third, _] = self.args.map(|a| a.source);
         let other = if second == ColorSource::Previous { first } else { second };
         let onto_previous =
             (first == ColorSource::Previous || second == ColorSource::Previous) && other != ColorSource::Previous;
@@ -169,7 +179,9 @@ impl CombineHalf {
         match self.function {
             CombineFunction::Replace => &COMBINE_REPLACE,
             CombineFunction::Modulate => &COMBINE_MODULATE,
+            CombineFunction::Add if self.products => &COMBINE4_ADD,
             CombineFunction::Add => &COMBINE_ADD,
+            CombineFunction::AddSigned if self.products => &COMBINE4_ADD_SIGNED,
             CombineFunction::AddSigned => &COMBINE_ADD_SIGNED,
             CombineFunction::Interpolate => &COMBINE_INTERPOLATE,
             CombineFunction::Subtract => &COMBINE_SUBTRACT,
@@ -252,7 +264,7 @@ impl EnvPlan {
     }
 
     fn push_arguments(&mut self, half: &CombineHalf, channels: u32, of_first: impl Fn(ColorSource) -> ColorSource) {
-        for (slot, a) in half.args.iter().take(half.function.arity()).enumerate() {
+        for (slot, a) in half.args.iter().take(half.arity()).enumerate() {
             let a = Argument { source: of_first(a.source), ..*a };
             self.plan.push(&ENV_ARGUMENT, argument(channels, slot, a));
         }
@@ -350,8 +362,13 @@ mod tests {
             mode: EnvMode::Combine,
             color: C,
             combine: [rgb, alpha],
-            source: [[CombineSource::Texture; 2], [CombineSource::PrimaryColor; 2], [CombineSource::Constant; 2]],
-            operand: [[CombineOperand::SrcColor, CombineOperand::SrcAlpha]; 3],
+            source: [
+                [CombineSource::Texture; 2],
+                [CombineSource::PrimaryColor; 2],
+                [CombineSource::Constant; 2],
+                [CombineSource::Zero; 2],
+            ],
+            operand: [[CombineOperand::SrcColor, CombineOperand::SrcAlpha]; 4],
             ..Env::default()
         }
     }
@@ -388,6 +405,39 @@ mod tests {
             let env = Env { scale: [k, 2.0], ..combine_env(CombineFunction::Dot3RgbaExt, CombineFunction::Replace) };
             assert!(close(run(&[Some((&env, Rgba))], &[t]), [dot.clamp(0.0, 1.0); 4]), "not scaled");
         }
+    }
+
+    #[test]
+    fn combine4_adds_products_and_leaves_other_functions_alone() {
+        let t = texel(Rgba);
+        let one_minus = [CombineOperand::OneMinusSrcColor, CombineOperand::OneMinusSrcAlpha];
+        let plain = [CombineOperand::SrcColor, CombineOperand::SrcAlpha];
+        for k in [1.0, 2.0, 4.0] {
+            for (function, plus) in [(CombineFunction::Add, 0.0), (CombineFunction::AddSigned, -0.5)] {
+                for (last, inverted) in [(plain, false), (one_minus, true)] {
+                    // The initial fourth argument is 1 - 0.
+                    for (source, d) in [(CombineSource::Texture, t), (CombineSource::Zero, [0.0; 4])] {
+                        let mut env = Env { mode: EnvMode::Combine4, scale: [k; 2], ..combine_env(function, function) };
+                        (env.source[3], env.operand[3]) = ([source; 2], last);
+                        let want = std::array::from_fn(|c| {
+                            let d = if inverted { 1.0 - d[c] } else { d[c] };
+                            ((t[c] * P[c] + C[c] * d + plus) * k).clamp(0.0, 1.0)
+                        });
+                        assert!(close(run(&[Some((&env, Rgba))], &[t]), want), "{function:?} times {k}");
+                    }
+                }
+            }
+        }
+        for function in [CombineFunction::Replace, CombineFunction::Interpolate, CombineFunction::Subtract] {
+            let env = combine_env(function, function);
+            let four = Env { mode: EnvMode::Combine4, ..env };
+            assert_eq!(run(&[Some((&env, Rgba))], &[t]), run(&[Some((&four, Rgba))], &[t]), "{function:?}");
+        }
+        let env = Env {
+            source: [[CombineSource::Zero; 2]; 4],
+            ..combine_env(CombineFunction::Replace, CombineFunction::Replace)
+        };
+        assert_eq!(run(&[Some((&env, Rgba))], &[t]), [0.0; 4]);
     }
 
     #[test]

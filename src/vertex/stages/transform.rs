@@ -130,6 +130,27 @@ stage! {
         }
     }
 
+    /// Fog coordinate from eye z itself (NV_fog_distance).
+    pub fn FOG_PLANE: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
+        let n = b.span.min(LANES);
+        let VertexBatch { eye: [_, _, ez, _], out, .. } = b;
+        let Some(fog) = out.get_mut(u.fog_slot) else { return };
+        for i in 0..n {
+            fog[i] = num::clamp_f32(ez[i] as f32, -f32::MAX, f32::MAX);
+        }
+    }
+
+    /// Fog coordinate from the distance to the eye (NV_fog_distance).
+    pub fn FOG_RADIAL: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
+        let n = b.span.min(LANES);
+        let VertexBatch { eye: [ex, ey, ez, _], out, .. } = b;
+        let Some(fog) = out.get_mut(u.fog_slot) else { return };
+        for i in 0..n {
+            let (x, y, z) = (ex[i], ey[i], ez[i]);
+            fog[i] = num::min_f32((x * x + y * y + z * z).sqrt() as f32, f32::MAX);
+        }
+    }
+
     /// Fog coordinate as the program gives it.
     pub fn FOG_COORD: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
         let n = b.span.min(LANES);

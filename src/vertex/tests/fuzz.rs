@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::limits::MAX_TEXTURE_UNITS;
-use crate::state::fog::FogCoordSource;
+use crate::state::fog::{FogCoordSource, FogDistanceMode};
 use crate::state::lighting::ColorControl;
 use crate::state::lighting::MaterialColor;
 use crate::state::lighting::ShadeModel;
@@ -69,6 +69,7 @@ impl Random {
             s.transform.clip_planes[i] = self.wide();
         }
         s.point.distance_attenuation = self.pick(&[[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.5, 1.0, 2.0]]);
+        s.fog.distance_mode = self.pick(&FogDistanceMode::ALL);
         s.fog.coord_source = self.pick(&[FogCoordSource::FogCoord, FogCoordSource::FragmentDepth]);
         let l = &mut s.lighting;
         l.enabled = self.chance(2);
