@@ -234,6 +234,10 @@ const PROBES: &[Probe] = &[
         cx.convolution_filter_1d(GL_CONVOLUTION_1D, GL_RGBA, 1, GL_RGBA, GL_UNSIGNED_BYTE, &[0_u8; 4]);
         cx.get_convolution_parameterfv(GL_CONVOLUTION_1D, e, &mut [0.0; 4]);
     },
+    |cx, e| {
+        cx.convolution_filter_2d(GL_CONVOLUTION_2D, GL_RGBA, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &[0_u8; 4]);
+        cx.get_convolution_parameterfv(GL_CONVOLUTION_2D, e, &mut [0.0; 4]);
+    },
     |cx, e| cx.get_color_table_parameterfv(GL_COLOR_TABLE, e, &mut [0.0; 4]),
     |cx, e| cx.get_histogram_parameterfv(GL_HISTOGRAM, e, &mut [0.0; 4]),
     |cx, e| cx.get_minmax_parameterfv(GL_MINMAX, e, &mut [0.0; 4]),
