@@ -125,7 +125,6 @@ fn options() -> Options {
             _ => wrong(&format!("{argument} is not known")),
         }
     }
-    options.level = options.level.at_most_available();
     if quick {
         options.seconds = options.seconds.min(0.4);
     }

@@ -159,7 +159,7 @@ fn verdict(checks: &[table::Check], risen: &[String]) -> bool {
 
 fn report(o: &Options) -> Result<bool, String> {
     let begin = Instant::now();
-    let level = Config::from_env().level.at_most_available();
+    let level = Config::from_env().level;
     let ours = Ours { level };
     let effort =
         Effort { quick: o.quick, samples: if o.quick { 12 } else { 48 }, seconds: if o.quick { 0.15 } else { 1.2 } };

@@ -161,42 +161,56 @@ impl Picture {
 
     /// Calls `f` while the unpack state is that of the picture.
     fn with_tight_rows<T>(&self, cx: &mut Context, f: impl FnOnce(&mut Context, Pixels<'_>) -> T) -> T {
-        let store = cx.engine.unpack_store();
-        cx.engine.set_unpack_store(crate::state::pixel::PixelStore::TIGHT);
-        let result = f(cx, Pixels::Bytes(Cow::Borrowed(&self.bytes)));
-        cx.engine.set_unpack_store(store);
-        result
+        cx.with_tight_rows(|cx| f(cx, Pixels::Bytes(Cow::Borrowed(&self.bytes))))
     }
 }
 
-/// The framebuffer as an image with its first row at the top. Finishes what was drawn first.
+/// The framebuffer as an image with its first row at the top. Finishes what was drawn first. An image without pixels, and
+/// `GL_OUT_OF_MEMORY` is recorded, where there is no memory for it.
 #[must_use]
+#[track_caller]
 pub fn framebuffer(cx: &mut Context) -> RgbaImage {
     let (width, height) = cx.size();
-    let bytes = cx.pixels();
-    let mut image = RgbaImage::new(width, height);
-    let row = (width as usize * 4).max(1);
-    for (to, from) in image.chunks_exact_mut(row).zip(bytes.chunks_exact(row).rev()) {
-        to.copy_from_slice(from);
+    let mut bytes = cx.pixels();
+    turn_rows(&mut bytes, width as usize * 4);
+    RgbaImage::from_raw(width, height, bytes).unwrap_or_default()
+}
+
+/// Puts rows in the other order, in place.
+fn turn_rows(bytes: &mut [u8], row: usize) {
+    let rows = bytes.len() / row.max(1);
+    let (upper, lower) = bytes.split_at_mut(row * (rows / 2));
+    for (a, b) in upper.chunks_exact_mut(row.max(1)).zip(lower.rchunks_exact_mut(row.max(1))) {
+        a.swap_with_slice(b);
     }
-    image
 }
 
 /// Writes the framebuffer as a PNG file without its alpha, which in GL is seldom an opacity. Finishes what was drawn
 /// first.
 ///
 /// # Errors
-/// A file that cannot be written.
+/// A file that cannot be written to its last byte, or no memory for the picture.
+#[track_caller]
 pub fn save_png(cx: &mut Context, path: impl AsRef<Path>) -> Result<(), FileError> {
-    let image = framebuffer(cx);
-    let mut opaque = RgbImage::new(image.width(), image.height());
-    for (to, from) in opaque.chunks_exact_mut(3).zip(image.chunks_exact(4)) {
-        to.copy_from_slice(from.get(..3).unwrap_or(&[0; 3]));
-    }
     let path = path.as_ref();
-    opaque
-        .save_with_format(path, image::ImageFormat::Png)
-        .map_err(|e| FileError::new(path, format!("cannot be written: {e}")))
+    let failed = |e: &dyn std::fmt::Display| FileError::new(path, format!("cannot be written: {e}"));
+    let (width, height) = cx.size();
+    let mut bytes = cx.pixels();
+    if bytes.len() != width as usize * height as usize * 4 {
+        return Err(failed(&"no memory for the picture"));
+    }
+    turn_rows(&mut bytes, width as usize * 4);
+    // In place: three bytes of each four.
+    let pixels = bytes.len() / 4;
+    for pixel in 0..pixels {
+        bytes.copy_within(4 * pixel..4 * pixel + 3, 3 * pixel);
+    }
+    bytes.truncate(3 * pixels);
+    let opaque = RgbImage::from_raw(width, height, bytes).ok_or_else(|| failed(&"no pixels"))?;
+    // A writer that is buffered loses what its last flush says, so the file is made here and written in one piece.
+    let mut file = std::io::Cursor::new(Vec::new());
+    opaque.write_to(&mut file, image::ImageFormat::Png).map_err(|e| failed(&e))?;
+    std::fs::write(path, file.into_inner()).map_err(|e| failed(&e))
 }
 
 #[cfg(test)]
@@ -331,6 +345,14 @@ mod tests {
         }
         let gif = opened("x.gif", b"GIF89a\x01\0\x01\0\0\0\0;").expect_err("an error");
         assert_eq!(gif.message, "is a GIF image, which is not read; there is PNG, JPEG, BMP and TGA");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_an_error() {
+        // Small pictures fit into every buffer between here and the disk.
+        let full = save_png(&mut Context::new(4, 4), "/dev/full").expect_err("an error");
+        assert!(full.to_string().starts_with("/dev/full: cannot be written: "), "{full}");
     }
 
     #[test]

@@ -101,5 +101,8 @@ pub mod math {
 extern crate self as fixedgl;
 
 #[cfg(doctest)]
+mod soundness;
+
+#[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 mod readme {}

@@ -29,8 +29,10 @@ pub const MAX_TEXTURE_SIZE: u32 = 8192;
 pub const MAX_3D_TEXTURE_SIZE: u32 = 1024;
 /// Levels that a texture of the greatest size has.
 pub const MAX_TEXTURE_LEVELS: usize = 14;
-/// Greatest number of texels of one image; beyond it a proxy says no and an image is `GL_OUT_OF_MEMORY`.
-pub const MAX_IMAGE_TEXELS: u64 = 1 << 28;
+/// Greatest number of bytes of one image as it is kept; beyond it a proxy says no and an image is `GL_OUT_OF_MEMORY`.
+pub const MAX_IMAGE_BYTES: u64 = 1 << 30;
+/// Greatest number of bytes of a buffer object; beyond it `GL_OUT_OF_MEMORY`.
+pub const MAX_BUFFER_BYTES: usize = 1 << 30;
 /// Greatest absolute LOD bias.
 pub const MAX_TEXTURE_LOD_BIAS: f32 = 14.0;
 /// Greatest degree of anisotropy.

@@ -65,7 +65,7 @@ pub fn draw_counted(options: &Options) {
 
 /// Counts, then prints, keeps or compares.
 pub fn run(options: &Options) -> ExitCode {
-    if !SimdLevel::available().any(|level| level == SimdLevel::Avx2) {
+    if !SimdLevel::available().any(|level| level.name() == "avx2") {
         eprintln!("this processor has no AVX2, for which instructions are counted: nothing was compared");
         return ExitCode::SUCCESS;
     }

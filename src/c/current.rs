@@ -1,5 +1,6 @@
 //! The current context of a thread (as GLX and WGL have it). A command takes the context out of its place for as long as
-//! it runs, so nothing is borrowed and nothing can be borrowed twice: a callback that calls GL finds no context.
+//! it runs, so nothing is borrowed and nothing can be borrowed twice: a callback that calls GL finds no context. It comes
+//! back also where a callback panics.
 
 use crate::context::Context;
 use std::cell::Cell;
@@ -25,10 +26,7 @@ fn swap(context: Option<Box<Context>>) -> Option<Context> {
 
 /// Calls `f` with the current context of this thread; `None` without one.
 pub fn with_current<T>(f: impl FnOnce(&mut Context) -> T) -> Option<T> {
-    let mut context = take()?;
-    let result = f(&mut context);
-    put(context);
-    Some(result)
+    take().context().map(f)
 }
 
 /// How many commands of this thread found no current context and did nothing.
@@ -37,20 +35,34 @@ pub fn calls_without_context() -> u64 {
     MISSED.get()
 }
 
-/// Takes the context for one command.
-#[inline]
-pub(crate) fn take() -> Option<Box<Context>> {
-    CURRENT.try_with(Cell::take).ok().flatten()
+/// The context while a command runs, if there is one. Dropping it puts the context back in its place.
+pub(crate) struct Taken(Option<Box<Context>>);
+
+impl Taken {
+    /// The context.
+    #[inline]
+    pub(crate) fn context(&mut self) -> Option<&mut Context> {
+        self.0.as_deref_mut()
+    }
 }
 
-/// Puts the context back after the command, unless a callback has made another one current meanwhile.
+impl Drop for Taken {
+    /// The context becomes current again, unless a callback has made another one current meanwhile.
+    #[inline]
+    fn drop(&mut self) {
+        let Some(context) = self.0.take() else { return };
+        let _ = CURRENT.try_with(|current| {
+            if let Some(newer) = current.replace(Some(context)) {
+                current.set(Some(newer));
+            }
+        });
+    }
+}
+
+/// Takes the context for one command.
 #[inline]
-pub(crate) fn put(context: Box<Context>) {
-    let _ = CURRENT.try_with(|current| {
-        if let Some(newer) = current.replace(Some(context)) {
-            current.set(Some(newer));
-        }
-    });
+pub(crate) fn take() -> Taken {
+    Taken(CURRENT.try_with(Cell::take).ok().flatten())
 }
 
 /// A command without a context: the first one of a thread is reported.

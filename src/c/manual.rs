@@ -9,13 +9,8 @@ use crate::enums::{GL_FALSE, GL_TRUE, GLboolean, GLenum, GLint, GLsizei};
 /// Runs an expression with the current context; without one the call is counted and does nothing.
 macro_rules! with {
     ($name:ident, $cx:ident => $e:expr) => {
-        match current::take() {
-            Some(mut context) => {
-                let $cx = &mut *context;
-                let result = $e;
-                current::put(context);
-                result
-            }
+        match current::take().context() {
+            Some($cx) => $e,
             None => {
                 current::missed(stringify!($name));
                 Default::default()

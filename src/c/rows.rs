@@ -35,10 +35,9 @@ macro_rules! functions {
                 $($a: door_ty!($k),)*
                 $($out: &mut (impl crate::context::OutSlice<$t> + ?Sized))?
             ) -> c_return!($($r)?) {
-                match current::take() {
-                    Some(mut cx) => {
+                match current::take().context() {
+                    Some(cx) => {
                         let result = cx.$snake($($a,)* $($out)?);
-                        current::put(cx);
                         c_value!($($r)?, result)
                     }
                     None => {

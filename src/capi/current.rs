@@ -1,6 +1,7 @@
 //! The current context of a thread behind the C ABI. A handle is a `Box` that C holds as a pointer; the thread keeps a
 //! copy of the pointer of the one that is current. This file is where handles become references and where panics stop.
 
+use super::float_control::{self, InitialState};
 use super::osmesa::OsMesa;
 use crate::Context;
 use crate::context::{Config, standard_error};
@@ -89,14 +90,17 @@ pub(super) unsafe fn set(handle: *mut OsMesa) {
     word::set(handle);
 }
 
-/// Calls `f` with what is current. A panic ends the command, not the program.
+/// Calls `f` with what is current. A panic ends the command, not the program, and leaves a GL error.
 #[inline]
 pub(super) fn with_handle<T: Default>(f: impl FnOnce(&mut OsMesa) -> T) -> T {
-    let handle = get();
+    let (handle, _state) = (get(), InitialState::enter());
     // SAFETY: `set` was promised a valid handle of this thread. No command calls back into C, so no second reference
     // to it is alive.
     match unsafe { handle.as_mut() } {
-        Some(os) => catch_unwind(AssertUnwindSafe(|| f(os))).unwrap_or_default(),
+        Some(os) => catch_unwind(AssertUnwindSafe(|| f(&mut *os))).unwrap_or_else(|_| {
+            os.context.has_panicked();
+            T::default()
+        }),
         None => T::default(),
     }
 }
@@ -134,14 +138,15 @@ pub(super) fn with<T: Default>(f: impl FnOnce(&mut Context) -> T) -> T {
 
 /// Calls `f`, which needs no context. A panic ends the command, not the program.
 pub(super) fn without<T: Default>(f: impl FnOnce() -> T) -> T {
+    let _state = InitialState::enter();
     catch_unwind(AssertUnwindSafe(f)).unwrap_or_default()
 }
 
-/// The current context, if nobody traces and no list is open: then a command is nothing but what the engine does. For code
-/// that cannot panic and keeps the context no longer than its call.
+/// The current context, if nobody traces, no list is open and the thread computes as usual: then a command is nothing but
+/// what the engine does. For code that cannot panic and keeps the context no longer than its call.
 #[inline(always)]
 pub(super) fn quiet<'a>() -> Option<&'a mut Context> {
     // SAFETY: as in `with_handle`.
     let context = unsafe { &mut get().as_mut()?.context };
-    context.flags.none().then_some(context)
+    (context.flags.none() && float_control::is_initial()).then_some(context)
 }

@@ -9,6 +9,7 @@
 mod current;
 #[cfg(test)]
 mod error_tests;
+mod float_control;
 mod glu;
 mod manual;
 mod memory;

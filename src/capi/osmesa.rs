@@ -380,14 +380,17 @@ pub unsafe extern "C" fn OSMesaGetDepthBuffer(
         os.context.engine.flush_scene();
         let max = f64::from(os.buffers.depth_max());
         let mut row = vec![0.0; target.width as usize];
-        let mut all = Vec::with_capacity(target.width as usize * target.height as usize);
+        let mut all = Vec::new();
+        all.try_reserve_exact(target.width as usize * target.height as usize).ok()?;
         for y in 0..target.height {
             let y = if os.layout.y_up { y } else { target.height - 1 - y };
             os.context.engine.framebuffer.read_depth(0, y.cast_signed(), &mut row);
             all.extend(row.iter().map(|depth| (depth * max + 0.5) as u32));
         }
         let (bytes, address) = if os.buffers.depth_bits == 16 {
-            os.depth16 = all.iter().map(|depth| *depth as u16).collect();
+            os.depth16.clear();
+            os.depth16.try_reserve_exact(all.len()).ok()?;
+            os.depth16.extend(all.iter().map(|depth| *depth as u16));
             (2, os.depth16.as_mut_ptr() as usize)
         } else {
             os.depth32 = all;

@@ -7,7 +7,7 @@ use super::array_pointers::{Attribute, Pointer, type_bytes};
 use super::engine::Engine;
 use super::pixels_arg::ArrayData;
 use crate::enums::*;
-use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value};
+use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
 use crate::limits::MAX_TEXTURE_UNITS;
 
 const COORDINATES: &[GLenum] = &[GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE];
@@ -106,6 +106,7 @@ impl Engine {
                     self.client.arrays.object
                 )))
             }
+            ArrayData::NoMemory => Err(out_of_memory("no memory to copy the array; use a buffer object")),
             _ => Ok((data, buffer)),
         }
     }

@@ -6,6 +6,7 @@ use super::engine::Engine;
 use super::{Pixels, Values};
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory, too_short};
+use crate::limits::MAX_BUFFER_BYTES;
 
 fn range(buffer: &Buffer, offset: isize, size: isize) -> Outcome<std::ops::Range<usize>> {
     let there = buffer.data.len();
@@ -50,6 +51,8 @@ impl Engine {
         if n < 0 {
             return Err(invalid_value(format!("{n} names; a number of names is not negative")));
         }
+        let all = &mut self.buffers.named;
+        all.try_reserve(buffers.len()).map_err(|_| out_of_memory("no memory for names of buffer objects"))?;
         buffers.iter_mut().for_each(|name| *name = self.buffers.generate());
         Ok(())
     }
@@ -91,6 +94,10 @@ impl Engine {
         let buffer = self.bound_buffer(target)?;
         if let Some(bytes) = data.bytes().filter(|bytes| bytes.len() < size) {
             return Err(too_short("data", size, bytes.len(), "bytes"));
+        }
+        if size > MAX_BUFFER_BYTES {
+            let message = format!("a buffer object of {size} bytes; the most is {MAX_BUFFER_BYTES}");
+            return Err(out_of_memory(message));
         }
         let mut store = std::mem::take(&mut buffer.data);
         if store.capacity() < size {

@@ -2,13 +2,16 @@
 //! an image as it is under the unpack state when it is compiled. It is kept tight: whole elements in native byte order,
 //! rows without a gap, bitmaps with the highest bit first; so the unpack state at the time of the call does not matter.
 
+use super::Context;
 use super::engine::Engine;
-use super::pixels_arg::Pixels;
+use super::pixels_arg::{Pixels, try_copy};
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
 use crate::pixels::format::{PixelFormat, Type};
 use crate::pixels::layout::ClientLayout;
 use crate::state::pixel::PixelStore;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
 
 /// The size of an image: two numbers for a 1D or 2D image, three for a 3D image, whose slices can be skipped.
 pub(crate) trait ImageSize: Copy {
@@ -36,9 +39,7 @@ pub(crate) fn image_bytes(store: &PixelStore, size: impl ImageSize, format: GLen
 
 /// Values of a slice argument that a list keeps.
 pub(crate) fn keep<T: Copy>(values: &[T]) -> Outcome<Box<[T]>> {
-    let mut kept = Vec::new();
-    kept.try_reserve_exact(values.len()).map_err(|_| out_of_memory("no memory left for a display list"))?;
-    kept.extend_from_slice(values);
+    let kept = try_copy(values).ok_or_else(|| out_of_memory("no memory left for a display list"))?;
     Ok(kept.into_boxed_slice())
 }
 
@@ -47,7 +48,21 @@ pub(crate) fn keep_bytes(pixels: &Pixels<'_>) -> Outcome<Pixels<'static>> {
     match pixels {
         Pixels::Null => Ok(Pixels::Null),
         Pixels::Kept(bytes) => Ok(Pixels::Kept(bytes.clone())),
-        Pixels::Bytes(bytes) => Ok(Pixels::Kept(keep(bytes)?.into())),
+        Pixels::Bytes(bytes) => {
+            let kept = try_copy(bytes).ok_or_else(|| out_of_memory("no memory left for a display list"))?;
+            Ok(Pixels::Kept(Arc::new(kept)))
+        }
+    }
+}
+
+impl Context {
+    /// Calls `f` while the unpack state is that of memory without gaps, also where a callback of the program panics.
+    pub(crate) fn with_tight_rows<T>(&mut self, f: impl FnOnce(&mut Self) -> T) -> T {
+        let store = self.engine.unpack_store();
+        self.engine.set_unpack_store(PixelStore::TIGHT);
+        let result = catch_unwind(AssertUnwindSafe(|| f(self)));
+        self.engine.set_unpack_store(store);
+        result.unwrap_or_else(|panic| resume_unwind(panic))
     }
 }
 
@@ -64,7 +79,7 @@ pub(crate) fn capture(
     let Ok(pixel) = PixelFormat::new(format, type_) else { return keep_bytes(pixels) };
     let Ok(geometry) = size.geometry(&store, pixel) else { return keep_bytes(pixels) };
     geometry.check_len(bytes.len())?;
-    Ok(Pixels::Kept(tight(bytes, &store, &geometry, pixel)?.into()))
+    Ok(Pixels::Kept(Arc::new(tight(bytes, &store, &geometry, pixel)?)))
 }
 
 /// The bytes of an image without what the store puts between them. `bytes` has been checked against the geometry.
@@ -73,6 +88,10 @@ fn tight(bytes: &[u8], store: &PixelStore, geometry: &ClientLayout, pixel: Pixel
     let row_bytes = if bitmap { geometry.width.div_ceil(8) } else { geometry.row_bytes };
     let rows = geometry.height.saturating_mul(geometry.depth);
     let mut kept = Vec::new();
+    if row_bytes == 0 {
+        // Rows without a byte may be very many.
+        return Ok(kept);
+    }
     kept.try_reserve_exact(row_bytes.saturating_mul(rows))
         .map_err(|_| out_of_memory("no memory left to keep the image in the display list"))?;
     let element = if store.swap_bytes { pixel.type_.bytes().max(1) } else { 1 };

@@ -8,7 +8,7 @@ use crate::simd::{LANES, Level};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Config {
-    /// The instruction set of the stages. A level that the processor lacks is lowered to one that it has.
+    /// The instruction set of the stages.
     pub level: Level,
     /// How many threads draw; 1 draws in the calling thread.
     pub threads: usize,
@@ -89,11 +89,6 @@ impl Config {
     /// The same with every number in its range.
     #[must_use]
     pub(crate) fn checked(self) -> Self {
-        Self {
-            level: self.level.at_most_available(),
-            threads: self.threads.clamp(1, 256),
-            batch_cut: self.batch_cut.clamp(1, LANES),
-            ..self
-        }
+        Self { threads: self.threads.clamp(1, 256), batch_cut: self.batch_cut.clamp(1, LANES), ..self }
     }
 }

@@ -2,6 +2,7 @@
 //! the few whose C form keeps a pointer (OpenGL 1.5, sections 2.5, 2.8, 2.9, 5.2 to 5.4). The rows of the table that
 //! stand in the section `context` call the functions here; those in `manual` are the methods at the end.
 
+use super::array_pointers::ATTRIBUTES;
 use super::draw_arrays::ArrayElement;
 use super::engine::Engine;
 use super::list_compile::compile;
@@ -11,6 +12,8 @@ use super::table::ops::vertex::Op;
 use super::{Context, IndexLists, Indices, Pixels, Values};
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_value, out_of_memory};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
 
 /// The list that is open, for queries; everything else is the engine's.
 pub(crate) fn get(cx: &mut Context, pname: GLenum) -> Outcome<Values> {
@@ -72,7 +75,7 @@ pub(crate) fn call_list(cx: &mut Context, name: &'static str, list: u32) {
     if cx.flags.recording() && !cx.record(name, Command::Call(list)) {
         return;
     }
-    without_recording(cx, |cx| cx.run_lists(name, Box::new([list])));
+    without_recording(cx, |cx| cx.run_lists(name, Arc::new(vec![list]), 0));
     cx.deliver(name);
 }
 
@@ -82,23 +85,25 @@ pub(crate) fn call_lists(cx: &mut Context, name: &'static str, n: i32, type_: GL
         Ok(offsets) => offsets,
         Err(error) => return cx.refuse(name, error),
     };
-    if cx.flags.recording() && !cx.record(name, Command::Calls(offsets.clone())) {
+    if cx.flags.recording() && !cx.record(name, Command::Calls(Arc::clone(&offsets))) {
         return;
     }
     let base = cx.engine.current_list_base();
-    let names = offsets.iter().map(|o| base.wrapping_add(*o)).collect();
-    without_recording(cx, |cx| cx.run_lists(name, names));
+    without_recording(cx, |cx| cx.run_lists(name, offsets, base));
     cx.deliver(name);
 }
 
-/// What a called list does is not recorded again by the list that is open.
+/// What a called list does is not recorded again by the list that is open, which stays open where a callback panics.
 #[track_caller]
 fn without_recording(cx: &mut Context, f: impl FnOnce(&mut Context)) {
     let open = cx.recorder.open.take();
     cx.flags.set_recording(false);
-    f(cx);
+    let result = catch_unwind(AssertUnwindSafe(|| f(cx)));
     cx.flags.set_recording(open.is_some());
     cx.recorder.open = open;
+    if let Err(panic) = result {
+        resume_unwind(panic);
+    }
 }
 
 /// Adds the commands that one array element stands for.
@@ -124,7 +129,7 @@ fn element_ops(element: ArrayElement, ops: &mut Vec<Command>) {
 fn elements_ops(cx: &mut Context, elements: impl Iterator<Item = i32>, ops: &mut Vec<Command>) -> Outcome {
     for index in elements {
         let element = cx.engine.array_element_values(index)?;
-        ops.try_reserve(16).map_err(|_| no_memory())?;
+        ops.try_reserve(2 * ATTRIBUTES).map_err(|_| no_memory())?;
         element_ops(element, ops);
     }
     Ok(())
@@ -179,7 +184,7 @@ fn draw(
     if cx.flags.recording() {
         let mut ops = Vec::new();
         let go_on = match pairs(cx, &mut ops) {
-            Ok(()) => cx.record(name, Command::Draw(Box::new(ListDraw { name, pairs: compile(ops).into() }))),
+            Ok(()) => cx.record(name, Command::Draw(Box::new(ListDraw { name, pairs: compile(ops) }))),
             Err(error) => record_failed(cx, name, false, error),
         };
         if !go_on {

@@ -36,8 +36,10 @@ pub(crate) struct ArrayElement {
     pub(crate) vertex: Option<[f32; 4]>,
 }
 
-/// Elements beyond the end of the array of positions that DrawArrays still draws, as zeros.
-const ZEROS: usize = 1 << 16;
+/// Elements beyond the end of the array of positions that DrawArrays still draws, as zeros. Few, since one MultiDrawArrays
+/// may ask for them with each of its draws.
+const ZEROS: usize = 1 << 8;
+
 /// The index list of a draw.
 fn index_list<'a>(
     arrays: &Arrays,
@@ -115,14 +117,15 @@ impl Engine {
     }
 
     /// How many of `count` elements from `first` on are drawn: those that have a position, as far as the length of the
-    /// memory is known, and [`ZEROS`] more, since a count of two thousand millions over a short array must not take minutes.
+    /// memory is known, and [`ZEROS`] more, since a count of two thousand millions over a short array, or none, must not take minutes.
     pub(crate) fn elements_there(&self, first: i32, count: i32) -> i32 {
         let p = &self.client.arrays.pointers[Attribute::Vertex as usize];
         let (element, stride) = (p.element_bytes(), p.stride_bytes().max(1));
         let (bytes, start) = match (&p.data, p.buffer) {
             (ArrayData::Values(values), 0) => (values.len(), p.offset),
-            (ArrayData::Offset(_), 0) => (0, 0),
-            (ArrayData::Client(_), 0) => return count,
+            (ArrayData::Offset(_) | ArrayData::NoMemory, 0) => (0, 0),
+            (ArrayData::Client(address), 0) if address.get() != 0 => return count,
+            (ArrayData::Client(_), 0) => (0, 0),
             (data, buffer) => {
                 let start = if matches!(data, ArrayData::Values(_)) { 0 } else { data.address() };
                 (self.buffers.get(buffer).map_or(0, |b| b.data.len()), start.saturating_add(p.offset))

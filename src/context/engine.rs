@@ -97,6 +97,8 @@ pub(crate) struct Engine {
     pub(crate) told: BTreeSet<String>,
     /// Whether somebody hears advice: what costs something to find out is looked for only then.
     pub(crate) advised: bool,
+    /// Texels and pixels that commands have written without drawing; what a display list may lead to is limited by them.
+    pub(crate) pixels_written: u64,
     /// Where what is done is counted, if somebody wants to know.
     pub(crate) tally: Option<Tally>,
     /// Tables and filters of the imaging subset.
@@ -149,6 +151,7 @@ impl Engine {
             notes: Vec::new(),
             told: BTreeSet::new(),
             advised: false,
+            pixels_written: 0,
             tally: None,
             imaging: Box::default(),
             render_modes: RenderModes::default(),

@@ -98,6 +98,10 @@ pub(crate) fn note<T: Default>(
 ) -> T {
     let place = Location::caller();
     let (file, line) = (place.file(), place.line());
+    // Before the callback, which may panic.
+    if first.is_none() {
+        *first = Some(Box::new(Error { code, command: name, message: message.clone(), file, line }));
+    }
     if let Some(callback) = debug {
         callback(&DebugMessage {
             source: GL_DEBUG_SOURCE_API,
@@ -109,9 +113,6 @@ pub(crate) fn note<T: Default>(
             file,
             line,
         });
-    }
-    if first.is_none() {
-        *first = Some(Box::new(Error { code, command: name, message, file, line }));
     }
     T::default()
 }
@@ -185,6 +186,15 @@ impl Context {
                 line: place.line(),
             });
         }
+    }
+
+    /// The error of a command that has panicked, which is a fault of the library. Only OUT_OF_MEMORY lets the state be
+    /// undefined (section 2.5).
+    #[cfg(feature = "capi")]
+    #[cold]
+    pub(crate) fn has_panicked(&mut self) {
+        let message = "the command has panicked, which is a fault of fixedgl; what it has done is undefined";
+        self.fail("fixedgl", crate::error::out_of_memory(message))
     }
 
     /// The error of a command that is not allowed between Begin and End.

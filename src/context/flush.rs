@@ -42,6 +42,8 @@ impl Engine {
         };
         let scissor = self.scissor_rect();
         self.unseen = true;
+        // A clear of whole buffers waits, and one of a part is a copy of rows.
+        self.pixels_written += self.framebuffer_pixels() / 16;
         self.framebuffer.defer_clear(&clear, scissor)
     }
 
@@ -63,7 +65,12 @@ impl Engine {
         let none = self.state.color_buffer.draw_buffer == ColorBufferName::None;
         let mask = if none { [false; 4] } else { self.state.color_buffer.color_mask };
         self.unseen = true;
+        self.pixels_written += self.framebuffer_pixels();
         self.framebuffer.accumulate(op, value, rect, mask)
+    }
+
+    fn framebuffer_pixels(&self) -> u64 {
+        u64::from(self.framebuffer.width()) * u64::from(self.framebuffer.height())
     }
 
     /// The scissor box where the scissor test is on.

@@ -130,7 +130,7 @@ pub(crate) fn compile(commands: Vec<Command>) -> Vec<Command> {
         q_units: 0,
         count: 0,
     };
-    let (mut compiled, mut at, mut skip) = (Vec::new(), 0, 0);
+    let (mut at, mut skip) = (0, 0);
     let runs = (0..commands.len()).filter_map(|i| {
         if i < skip {
             return None;
@@ -140,6 +140,11 @@ pub(crate) fn compile(commands: Vec<Command>) -> Vec<Command> {
         Some((i, run, len))
     });
     let runs: Vec<_> = runs.collect();
+    let taken: usize = runs.iter().map(|(_, _, len)| len - 1).sum();
+    let mut compiled = Vec::new();
+    if runs.is_empty() || compiled.try_reserve_exact(commands.len() - taken).is_err() {
+        return commands;
+    }
     let mut commands = commands.into_iter();
     for (start, run, len) in runs {
         compiled.extend(commands.by_ref().take(start - at));

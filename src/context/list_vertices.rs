@@ -33,6 +33,11 @@ pub(crate) struct ListVertices {
 }
 
 impl ListVertices {
+    /// How many vertices there are.
+    pub(super) fn len(&self) -> usize {
+        self.vertices.len()
+    }
+
     /// The commands that the pair was made of, in an order that means the same.
     #[track_caller]
     pub(super) fn commands(&self, mut each: impl FnMut(Op)) {

@@ -8,24 +8,31 @@ use super::recorder::{Command, FailedCommand, List, ListDraw, OpenList, Other};
 use super::{Context, param_counts};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory, too_short};
-use crate::state::pixel::PixelStore;
+use std::sync::Arc;
 
 /// Depth of lists within lists (`MAX_LIST_NESTING`).
 pub(crate) const MAX_LIST_NESTING: usize = 64;
 
-/// Calls of lists that one CallList may lead to. A list that calls itself twice would otherwise run 2^64 times.
-const MAX_CALLS: usize = 1 << 22;
+/// Work that one CallList may always lead to, in vertices (see [`Command::work`]): less than a second. A list that calls
+/// itself twice would otherwise run 2^64 times.
+const WORK: u64 = 1 << 23;
+
+/// How often, beyond [`WORK`], all that the lists of a context hold may be carried out by one CallList.
+const TIMES: u64 = 64;
+
+/// Texels or pixels that take as long as a vertex.
+const PIXELS_OF_A_VERTEX: u64 = 16;
 
 /// A position in what is being carried out.
 enum Frame {
     /// A list and the next command in it.
     List(List, usize),
-    /// The names of a CallLists and the next of them.
-    Names(Box<[u32]>, usize),
+    /// The offsets of a CallLists, the next of them, and the list base at the time of the call.
+    Names(Arc<Vec<u32>>, usize, u32),
 }
 
 /// The names of a CallLists as offsets from the list base (section 5.4).
-pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>> {
+pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Arc<Vec<u32>>> {
     let Some(size) = param_counts::list_name_size(type_) else {
         let what = name(type_);
         return Err(invalid_enum(format!(
@@ -49,7 +56,7 @@ pub(crate) fn offsets(n: i32, type_: GLenum, bytes: &[u8]) -> Outcome<Box<[u32]>
         // 2_BYTES to 4_BYTES: the first byte is the most significant one on every machine.
         _ => b.iter().fold(0, |value, byte| value << 8 | u32::from(*byte)),
     }));
-    Ok(all.into())
+    Ok(Arc::new(all))
 }
 
 impl Context {
@@ -92,7 +99,7 @@ impl Context {
         };
         self.flags.set_recording(false);
         self.recorder.names.insert(open.name, open.name);
-        self.recorder.lists.insert(open.name, compile(open.commands).into());
+        self.recorder.insert(open.name, compile(open.commands));
         Ok(())
     }
 
@@ -117,40 +124,36 @@ impl Context {
         if let Some(more) = range.unsigned_abs().checked_sub(1) {
             let last = list.saturating_add(more);
             self.recorder.names.remove(list, last);
-            let mut after = self.recorder.lists.split_off(&list);
-            if let Some(next) = last.checked_add(1) {
-                self.recorder.lists.append(&mut after.split_off(&next));
-            }
+            self.recorder.remove(list, last);
         }
         Ok(())
     }
 
-    /// Carries out lists by their names. Images that lists hold are tight: so is the unpack state meanwhile.
+    /// Carries out lists by their offsets from a base. Images that lists hold are tight: so is the unpack state meanwhile.
     #[track_caller]
-    pub(crate) fn run_lists(&mut self, command: &'static str, names: Box<[u32]>) {
-        let store = self.engine.unpack_store();
-        self.engine.set_unpack_store(PixelStore::TIGHT);
-        self.run_stack(command, names);
-        self.engine.set_unpack_store(store);
+    pub(crate) fn run_lists(&mut self, command: &'static str, offsets: Arc<Vec<u32>>, base: u32) {
+        self.with_tight_rows(|cx| cx.run_stack(command, offsets, base));
     }
 
     #[track_caller]
-    fn run_stack(&mut self, command: &'static str, names: Box<[u32]>) {
-        let mut stack = vec![Frame::Names(names, 0)];
-        let (mut depth, mut calls) = (0, 0);
+    fn run_stack(&mut self, command: &'static str, offsets: Arc<Vec<u32>>, base: u32) {
+        let mut stack = vec![Frame::Names(offsets, 0, base)];
+        let (mut depth, mut work) = (0, 0);
+        let (pixels, most) =
+            (self.engine.pixels_written, WORK.saturating_add(self.recorder.work.saturating_mul(TIMES)));
         while let Some(top) = stack.last_mut() {
             let called = match top {
-                Frame::Names(names, next) => {
-                    let Some(name) = names.get(*next).copied() else {
+                Frame::Names(offsets, next, base) => {
+                    let Some(offset) = offsets.get(*next).copied() else {
                         stack.pop();
                         continue;
                     };
                     *next += 1;
-                    name
+                    base.wrapping_add(offset)
                 }
                 Frame::List(list, next) => {
                     let list = List::clone(list);
-                    let run = list.get(*next..).unwrap_or_default();
+                    let run = list.commands.get(*next..).unwrap_or_default();
                     let call = run.iter().position(|c| matches!(c, Command::Call(_) | Command::Calls(_)));
                     *next += call.map_or(run.len(), |i| i + 1);
                     for op in run.iter().take(call.unwrap_or(run.len())) {
@@ -159,8 +162,7 @@ impl Context {
                     match call.and_then(|i| run.get(i)) {
                         Some(Command::Call(name)) => *name,
                         Some(Command::Calls(offsets)) => {
-                            let base = self.engine.current_list_base();
-                            stack.push(Frame::Names(offsets.iter().map(|o| base.wrapping_add(*o)).collect(), 0));
+                            stack.push(Frame::Names(Arc::clone(offsets), 0, self.engine.current_list_base()));
                             continue;
                         }
                         _ => {
@@ -171,16 +173,20 @@ impl Context {
                     }
                 }
             };
-            calls += 1;
-            if calls > MAX_CALLS {
-                let message = format!("gave up after {MAX_CALLS} lists: does a list call itself?");
-                return self.fail(command, invalid_operation(message));
-            }
+            work += 1;
             if depth < MAX_LIST_NESTING
                 && let Some(list) = self.recorder.lists.get(&called)
             {
+                work += list.work;
                 stack.push(Frame::List(List::clone(list), 0));
                 depth += 1;
+            }
+            let written = self.engine.pixels_written.wrapping_sub(pixels) / PIXELS_OF_A_VERTEX;
+            if work.saturating_add(written) > most {
+                return self.fail(command, invalid_operation(format!(
+                    "gave up after {work} vertices and commands: does a list call itself? One call may lead to {WORK} of \
+                     them, and {TIMES} times what all lists hold"
+                )));
             }
         }
     }

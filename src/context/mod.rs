@@ -119,7 +119,7 @@ impl CallFlags {
 
 /// A GL context: all state, all objects, a framebuffer, and the commands as methods.
 pub struct Context {
-    pub(crate) engine: Engine,
+    pub(crate) engine: Box<Engine>,
     pub(crate) flags: CallFlags,
     pub(crate) error: Option<Box<Error>>,
     pub(crate) recorder: recorder::Recorder,
@@ -172,7 +172,7 @@ impl Context {
     pub(crate) fn from_engine(engine: Engine) -> Self {
         let debug = engine.config.debug;
         let mut cx = Self {
-            engine,
+            engine: Box::new(engine),
             flags: CallFlags::default(),
             error: None,
             recorder: recorder::Recorder::default(),

@@ -25,7 +25,7 @@ pub enum Pixels<'a> {
     Bytes(Cow<'a, [u8]>),
     /// Pixels that a display list holds: rows without padding, native byte order, nothing skipped. While a list is
     /// carried out the unpack state is such.
-    Kept(Arc<[u8]>),
+    Kept(Arc<Vec<u8>>),
 }
 
 impl Pixels<'_> {
@@ -72,7 +72,9 @@ pub enum ArrayData {
     Offset(usize),
     /// Values copied at the time of the call. (In C the memory is read when something is drawn; a Rust program that
     /// changes its array calls the pointer command again, or uses a buffer object.)
-    Values(Arc<[u8]>),
+    Values(Arc<Vec<u8>>),
+    /// Values that there was no memory to copy: the command answers `OUT_OF_MEMORY`.
+    NoMemory,
     /// Memory of a C program, read when something is drawn. An offset if a buffer object is bound.
     Client(ClientAddress),
 }
@@ -85,8 +87,9 @@ impl ClientAddress {
     /// Takes an address.
     ///
     /// # Safety
-    /// Whenever something is drawn from the array that it belongs to, the elements that are drawn must lie in readable
-    /// memory at this address: what GL asks of the pointer of a vertex array.
+    /// As long as this value or a copy of it is the pointer of a vertex array of some context, the elements that are drawn
+    /// from that array must lie in readable memory at this address, which nobody writes meanwhile: what GL asks of the
+    /// pointer of a vertex array.
     #[expect(unsafe_code, reason = "a raw address from C")]
     #[must_use]
     pub unsafe fn new(address: usize) -> Self {
@@ -99,12 +102,25 @@ impl ClientAddress {
     }
 }
 
+/// A copy, unless there is no memory for it.
+pub(crate) fn try_copy<T: Copy>(values: &[T]) -> Option<Vec<T>> {
+    let mut copy = Vec::new();
+    copy.try_reserve_exact(values.len()).ok()?;
+    copy.extend_from_slice(values);
+    Some(copy)
+}
+
 impl ArrayData {
+    /// The values of a Rust program's array.
+    fn copied(values: &[u8]) -> Self {
+        try_copy(values).map_or(Self::NoMemory, |values| Self::Values(Arc::new(values)))
+    }
+
     /// Bytes of an array that is not in a buffer object: those that a draw reads at a distance from the start. `None`
     /// where there is no memory or not enough.
     pub(crate) fn bytes(&self, offset: usize, len: usize) -> Option<&[u8]> {
         match self {
-            ArrayData::Offset(_) => None,
+            ArrayData::Offset(_) | ArrayData::NoMemory => None,
             ArrayData::Values(values) => values.get(offset..)?.get(..len),
             ArrayData::Client(ClientAddress(0)) => None,
             ArrayData::Client(ClientAddress(address)) => {
@@ -121,6 +137,7 @@ impl ArrayData {
     pub(crate) fn address(&self) -> usize {
         match self {
             ArrayData::Offset(offset) => *offset,
+            ArrayData::NoMemory => 0,
             ArrayData::Values(values) => values.as_ptr() as usize,
             ArrayData::Client(address) => address.get(),
         }
@@ -185,7 +202,7 @@ macro_rules! readable {
                 fn from($v: &'a $t) -> Self { Indices::Bytes(Cow::Borrowed(bytes($slice))) }
             }
             impl<T: Element $($generic)*> From<&$t> for ArrayData {
-                fn from($v: &$t) -> Self { ArrayData::Values(bytes($slice).into()) }
+                fn from($v: &$t) -> Self { ArrayData::copied(bytes($slice)) }
             }
             impl<'a, T: Element $($generic)*> From<&'a mut $t> for PixelsMut<'a> {
                 fn from($v: &'a mut $t) -> Self { PixelsMut::Bytes(as_bytes_mut($slice)) }

@@ -2,7 +2,7 @@
 //! (OpenGL 1.5, section 2.1 leaves it out), a program without a window does here.
 
 use super::{Config, Context};
-use crate::error::Outcome;
+use crate::error::{Outcome, out_of_memory};
 
 impl Context {
     /// Width and height of the framebuffer in pixels.
@@ -19,41 +19,60 @@ impl Context {
 
     /// The colours of the whole framebuffer: four bytes R, G, B, A for each pixel, rows from the bottom up as GL counts
     /// them, without padding. Finishes what was drawn first. Pixel-store and pixel-transfer state play no part.
+    /// `GL_OUT_OF_MEMORY` is recorded, and there are no bytes, where there is no memory for them.
     #[must_use]
+    #[track_caller]
     pub fn pixels(&mut self) -> Vec<u8> {
-        self.engine.flush_scene();
-        let (width, height) = self.size();
-        let mut row = vec![0; width as usize];
-        let mut bytes = Vec::with_capacity(width as usize * height as usize * 4);
-        for y in 0..height {
-            self.engine.framebuffer.read_rgba8(0, y.cast_signed(), &mut row);
-            bytes.extend(row.iter().flat_map(|pixel| pixel.to_le_bytes()));
+        let mut bytes = self.whole_framebuffer("fixedgl::Context::pixels", 4, 0);
+        let width = self.engine.framebuffer.width() as usize;
+        let mut row = vec![0; width];
+        for (y, bytes) in bytes.chunks_exact_mut((4 * width).max(1)).enumerate() {
+            self.engine.framebuffer.read_rgba8(0, y as i32, &mut row);
+            for (to, pixel) in bytes.chunks_exact_mut(4).zip(&row) {
+                to.copy_from_slice(&pixel.to_le_bytes());
+            }
         }
         bytes
     }
 
     /// The depths of the whole framebuffer in [0, 1], rows from the bottom up. Finishes what was drawn first.
+    /// `GL_OUT_OF_MEMORY` is recorded, and there are no depths, where there is no memory for them.
     #[must_use]
+    #[track_caller]
     pub fn depths(&mut self) -> Vec<f64> {
-        self.engine.flush_scene();
-        let (width, height) = self.size();
-        let mut depths = vec![0.0; width as usize * height as usize];
-        for (y, row) in depths.chunks_mut((width as usize).max(1)).enumerate() {
+        let mut depths = self.whole_framebuffer("fixedgl::Context::depths", 1, 0.0);
+        let width = self.engine.framebuffer.width() as usize;
+        for (y, row) in depths.chunks_mut(width.max(1)).enumerate() {
             self.engine.framebuffer.read_depth(0, y as i32, row);
         }
         depths
     }
 
     /// The stencil values of the whole framebuffer, rows from the bottom up. Finishes what was drawn first.
+    /// `GL_OUT_OF_MEMORY` is recorded, and there are no values, where there is no memory for them.
     #[must_use]
+    #[track_caller]
     pub fn stencils(&mut self) -> Vec<u8> {
-        self.engine.flush_scene();
-        let (width, height) = self.size();
-        let mut stencils = vec![0; width as usize * height as usize];
-        for (y, row) in stencils.chunks_mut((width as usize).max(1)).enumerate() {
+        let mut stencils = self.whole_framebuffer("fixedgl::Context::stencils", 1, 0);
+        let width = self.engine.framebuffer.width() as usize;
+        for (y, row) in stencils.chunks_mut(width.max(1)).enumerate() {
             self.engine.framebuffer.read_stencil(0, y as i32, row);
         }
         stencils
+    }
+
+    /// `each` values for each pixel, once all is drawn; none where there is no memory, which is recorded.
+    #[track_caller]
+    fn whole_framebuffer<T: Clone>(&mut self, name: &'static str, each: usize, value: T) -> Vec<T> {
+        self.engine.flush_scene();
+        let (width, height) = self.size();
+        let len = width as usize * height as usize * each;
+        let mut values = Vec::new();
+        if values.try_reserve_exact(len).is_err() {
+            return self.fail(name, out_of_memory(format!("no memory for {len} values of the framebuffer")));
+        }
+        values.resize(len, value);
+        values
     }
 
     /// Gives the framebuffer a new size. Its content is undefined afterwards (zeros, depth 1); viewport and scissor box

@@ -20,7 +20,7 @@ pub(crate) enum Command {
     /// A call of a list.
     Call(u32),
     /// Calls of lists by offsets from the list base.
-    Calls(Box<[u32]>),
+    Calls(Arc<Vec<u32>>),
     /// A draw from arrays, with what the arrays held.
     Draw(Box<ListDraw>),
     /// A command that was wrong when it was recorded.
@@ -36,7 +36,7 @@ pub(crate) struct ListDraw {
     /// The command's name in C.
     pub(crate) name: &'static str,
     /// Its primitives as Begin/End pairs.
-    pub(crate) pairs: Box<[Command]>,
+    pub(crate) pairs: Vec<Command>,
 }
 
 /// A command whose arguments are lost, because they were wrong. Its error belongs to its execution (section 5.4).
@@ -79,8 +79,32 @@ impl From<vertex::Op> for Command {
     }
 }
 
+impl Command {
+    /// What carrying the command out once takes, in vertices. Images and pixels, which the engine counts as it writes
+    /// them, and what a called list holds are not in it.
+    pub(crate) fn work(&self) -> u64 {
+        /// A change of state may lead to new plans, which take a microsecond.
+        const CHANGE: u64 = 16;
+        match self {
+            Command::Vertex(_) => 1,
+            Command::VertexArray(vertices) => vertices.len() as u64,
+            Command::Call(_) | Command::Calls(_) => 1,
+            Command::Draw(draw) => draw.pairs.iter().fold(CHANGE, |sum, pair| sum.saturating_add(pair.work())),
+            Command::Other(_) | Command::Failed(_) => CHANGE,
+        }
+    }
+}
+
 /// A display list.
-pub(crate) type List = Arc<[Command]>;
+#[derive(Debug)]
+pub(crate) struct ListData {
+    pub(crate) commands: Vec<Command>,
+    /// What carrying it out once takes, in vertices, without the lists that it calls.
+    pub(crate) work: u64,
+}
+
+/// A display list that may be carried out and be replaced meanwhile.
+pub(crate) type List = Arc<ListData>;
 
 /// The list that is being compiled.
 #[derive(Debug)]
@@ -96,4 +120,26 @@ pub(crate) struct Recorder {
     pub(crate) lists: BTreeMap<u32, List>,
     pub(crate) names: Names,
     pub(crate) open: Option<OpenList>,
+    /// What carrying each list out once takes, in vertices.
+    pub(crate) work: u64,
+}
+
+impl Recorder {
+    /// Keeps a list in the place of the one that has had the name.
+    pub(crate) fn insert(&mut self, name: u32, commands: Vec<Command>) {
+        let work = commands.iter().fold(0, |sum: u64, command| sum.saturating_add(command.work()));
+        self.work = self.work.saturating_add(work);
+        if let Some(old) = self.lists.insert(name, Arc::new(ListData { commands, work })) {
+            self.work = self.work.saturating_sub(old.work);
+        }
+    }
+
+    /// Forgets the lists of a range of names.
+    pub(crate) fn remove(&mut self, first: u32, last: u32) {
+        let mut after = self.lists.split_off(&first);
+        if let Some(next) = last.checked_add(1) {
+            self.lists.append(&mut after.split_off(&next));
+        }
+        self.work = after.values().fold(self.work, |work, list| work.saturating_sub(list.work));
+    }
 }

@@ -215,6 +215,7 @@ impl Show for ArrayData {
             Self::Offset(offset) => drop(write!(text, "offset {offset}")),
             Self::Values(bytes) => drop(write!(text, "&[{} bytes]", bytes.len())),
             Self::Client(address) => drop(write!(text, "{:#x}", address.get())),
+            Self::NoMemory => text.push_str("no memory"),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::engine::Engine;
 use super::proxies::Proxy;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
-use crate::limits::{MAX_3D_TEXTURE_SIZE, MAX_IMAGE_TEXELS, MAX_TEXTURE_LEVELS, MAX_TEXTURE_SIZE};
+use crate::limits::{MAX_3D_TEXTURE_SIZE, MAX_IMAGE_BYTES, MAX_TEXTURE_LEVELS, MAX_TEXTURE_SIZE};
 use crate::pixels::{ClientImage, PixelFormat, Purpose, Transfer};
 use crate::state::pixel::PixelStore;
 use crate::state::texture::Target;
@@ -124,8 +124,9 @@ impl Request {
             return Err(invalid_value("the faces of a cube map are square: width and height must be equal"));
         }
         let texels: u64 = size.iter().map(|n| u64::from(*n)).product();
-        if texels > MAX_IMAGE_TEXELS {
-            return Err(out_of_memory(format!("an image of {texels} texels; the most is {MAX_IMAGE_TEXELS}")));
+        let most = MAX_IMAGE_BYTES / self.format.storage.bytes();
+        if texels > most {
+            return Err(out_of_memory(format!("an image of {texels} texels; the most of this format is {most}")));
         }
         Ok(())
     }
@@ -285,6 +286,7 @@ impl Engine {
         if !request.place.proxy {
             fits?;
             self.before_image_change(request.place, level)?;
+            self.pixels_written += size.iter().map(|n| u64::from(*n)).product::<u64>();
             return Ok(Some(level));
         }
         let proxy = &mut self.proxies[request.place.target as usize][level];

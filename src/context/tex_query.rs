@@ -186,6 +186,7 @@ impl Engine {
         let object = self.textures.object_mut(target, texture);
         let Some(image) = object.image(face, base).cloned() else { return Ok(()) };
         let simd = self.config.level;
+        self.pixels_written += image.texels.len() as u64;
         let Some(levels) = object.faces.get_mut(face) else { return Ok(()) };
         let below = levels.get_mut(base + 1..).unwrap_or(&mut []);
         let levels = mipmap::levels(&image, last.saturating_sub(base), simd, below)?;

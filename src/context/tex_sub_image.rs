@@ -241,6 +241,7 @@ impl Engine {
         image.check_region(offset, region)?;
         image.check_block_region(offset, region)?;
         drop(image);
+        self.pixels_written += region.iter().map(|n| u64::from(n.unsigned_abs())).product::<u64>();
         self.flush_scene();
         self.release_draws();
         // The image is taken out while rows of the framebuffer, which the engine owns too, are written into it.

@@ -5,7 +5,7 @@ use super::enable::texture_target;
 use super::engine::Engine;
 use super::{Params, Values};
 use crate::enums::*;
-use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, known};
+use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, known, out_of_memory};
 use crate::num::clamp01;
 use crate::state::Dirty;
 use crate::state::compare::CompareFunc;
@@ -46,7 +46,10 @@ impl Engine {
 
     pub(crate) fn gen_textures(&mut self, n: i32, names: &mut [u32]) -> Outcome {
         not_negative("n", n)?;
-        for to in names.iter_mut().take(n as usize) {
+        let names = names.iter_mut().take(n as usize);
+        let all = &mut self.textures.named;
+        all.try_reserve(names.len()).map_err(|_| out_of_memory("no memory for names of textures"))?;
+        for to in names {
             *to = self.textures.generate();
         }
         Ok(())

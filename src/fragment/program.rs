@@ -166,7 +166,7 @@ impl Program {
                 #[expect(unsafe_code, reason = "the level was checked when the program was built")]
                 // SAFETY: a program is built for no level that the processor does not have.
                 unsafe {
-                    (step.run)(batch, &self.uniforms, work, step.arg);
+                    (step.run())(batch, &self.uniforms, work, step.arg);
                 }
             }
             Action::Sample(i) => {
@@ -232,7 +232,7 @@ impl Program {
             work.counts.map(|_| batch.segments.iter().take(batch.segment_count).map(|s| u64::from(s.len)).sum());
         #[expect(unsafe_code, reason = "the level was checked when the program was built")]
         // SAFETY: a program is built for no level that the processor does not have.
-        let done = unsafe { (step.run)(batch, &self.uniforms, &mut work, step.arg) };
+        let done = unsafe { (step.run())(batch, &self.uniforms, &mut work, step.arg) };
         if let (Some(counts), Some(pixels)) = (&mut work.counts, pixels)
             && done
         {
@@ -336,7 +336,7 @@ impl Program {
     fn step(&self, step: &Step<LongFn>, batch: &mut FragmentBatch, run: &Segment, work: &mut Work<'_, '_>) -> u32 {
         #[expect(unsafe_code, reason = "the level was checked when the program was built")]
         // SAFETY: a program is built for no level that the processor does not have.
-        let done = unsafe { (step.run)(batch, &self.uniforms, work, run, step.arg) };
+        let done = unsafe { (step.run())(batch, &self.uniforms, work, run, step.arg) };
         done.min(run.len)
     }
 

@@ -97,18 +97,14 @@ fn try_build(cx: &mut Context, job: &MipmapJob<'_>, levels: Option<MipmapLevels>
         ClientImage::new_2d(bytes, &layout, [job.size[0], job.size[1]], pixel)?
     };
     let wanted = base.max(level + i32::from(untouched))..=*wanted.end();
-    let result = if untouched && keeps_bytes(cx, job) {
+    if untouched && keeps_bytes(cx, job) {
         let pyramid = Pyramid::of(&image, cx.engine.config.level).ok_or(ImageError::Memory)?;
-        cx.engine.set_unpack_store(PixelStore::TIGHT);
-        upload_bytes(cx, job, pixel, pyramid, level, wanted)
+        cx.with_tight_rows(|cx| upload_bytes(cx, job, pixel, pyramid, level, wanted))
     } else {
         let target = size.map(|n| n.unsigned_abs() as usize);
         let grid = Grid::unpack(&image).and_then(|g| g.resized(target, Kernel::Area)).ok_or(ImageError::Memory)?;
-        cx.engine.set_unpack_store(PixelStore::TIGHT);
-        upload_levels(cx, job, pixel, grid, level, wanted)
-    };
-    cx.engine.set_unpack_store(store);
-    result
+        cx.with_tight_rows(|cx| upload_levels(cx, job, pixel, grid, level, wanted))
+    }
 }
 
 /// Hands levels to the GL as bytes, the last ones as floats; the pyramid begins below level `at`.

@@ -114,7 +114,7 @@ impl Pyramid {
             }
             #[expect(unsafe_code, reason = "the processor has every level up to the one that a context was made for")]
             unsafe {
-                (ROWS.levels[simd as usize])(&mut pyramid, y);
+                (ROWS.at(simd))(&mut pyramid, y);
             }
             if (y + 1).is_multiple_of(1 << (count - 1)) {
                 pyramid.keep_last(y >> (count - 1));

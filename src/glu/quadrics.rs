@@ -11,7 +11,7 @@ use crate::enums::*;
 use crate::num::sin_cos_deg;
 
 /// More slices, stacks or loops than this count as this many: no image could show more.
-const MOST: i32 = 4096;
+const MOST: i32 = 1024;
 
 /// The function that is told of errors (`gluQuadricCallback`).
 pub type ErrorCallback = fn(GLenum);

@@ -241,7 +241,7 @@ impl<'a> ClientImage<'a> {
             let mut common = u32::MAX;
             #[expect(unsafe_code, reason = "the level is the one that the processor has")]
             unsafe {
-                (COPY.levels[Level::detect() as usize])(self.groups(at), out, &mut common);
+                (COPY.at(Level::detect()))(self.groups(at), out, &mut common);
             }
             return common;
         }

@@ -100,7 +100,7 @@ impl Emitter {
         Self {
             pending: Box::new(pending),
             scattered: false,
-            expand: EXPAND.levels[level.at_most_available() as usize],
+            expand: EXPAND.at(level),
             batch: Box::default(),
             row: Box::default(),
             row_from: i32::MAX,

@@ -4,11 +4,13 @@
 //! rustc never contracts `a*b+c`, all three give the same bits.
 
 mod bits;
+mod boxed;
 mod counters;
 mod level;
 mod stage;
 
 pub use bits::{BITS, count};
+pub(crate) use boxed::boxed;
 pub use counters::{Counters, PixelCost, StageCount, Tally};
 pub use level::SimdLevel;
 /// Its short name within the crate.

@@ -57,11 +57,6 @@ pub struct StageInfo {
 pub struct StageId(&'static StageInfo);
 
 impl StageId {
-    /// The identity that a static description gives; only [`stage!`] makes them.
-    pub(crate) const fn new(info: &'static StageInfo) -> Self {
-        Self(info)
-    }
-
     /// What the stage is called in a printed plan.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -95,15 +90,26 @@ impl fmt::Debug for StageId {
 pub struct Stage<F> {
     /// Which stage it is.
     pub id: StageId,
-    /// The body compiled for each level, indexed by [`Level`].
-    pub levels: [F; 3],
+    /// The body compiled for each level, lowest first.
+    levels: [F; 3],
 }
 
 impl<F: Copy> Stage<F> {
+    /// A stage of a body compiled for each level; only [`stage!`] makes them.
+    pub(crate) const fn new(info: &'static StageInfo, levels: [F; 3]) -> Self {
+        Self { id: StageId(info), levels }
+    }
+
+    /// The body for a level. The processor has what it needs: see [`Level`].
+    #[must_use]
+    pub fn at(&self, level: Level) -> F {
+        self.levels[level.index()]
+    }
+
     /// The stage as a step at a level.
     #[must_use]
     pub fn step(&self, level: Level, arg: u32) -> Step<F> {
-        Step { id: self.id, run: self.levels[level as usize], arg }
+        Step { id: self.id, run: self.at(level), arg }
     }
 }
 
@@ -112,13 +118,26 @@ impl<F: Copy> Stage<F> {
 pub struct Step<F> {
     /// Which stage it is.
     pub id: StageId,
-    /// The function for the level that was picked.
-    pub run: F,
+    /// The function for the level that was picked. Nobody else writes it, so that the processor has what it needs.
+    run: F,
     /// What the stage is told: its meaning is the stage's own.
     pub arg: u32,
 }
 
-impl<F> Step<F> {
+impl<F: Copy> Step<F> {
+    /// The function for the level that was picked.
+    #[inline(always)]
+    #[must_use]
+    pub fn run(&self) -> F {
+        self.run
+    }
+
+    /// The same stage with another argument.
+    #[must_use]
+    pub fn with_arg(self, arg: u32) -> Self {
+        Self { arg, ..self }
+    }
+
     /// Whether the step is this stage.
     #[must_use]
     pub fn is(&self, stage: &Stage<F>) -> bool {
@@ -190,7 +209,7 @@ macro_rules! stage {
                 $( cost = $cost; )?
                 $crate::simd::StageInfo { name: stringify!($name), cost }
             };
-            $crate::simd::Stage { id: $crate::simd::StageId::new(&INFO), levels: [baseline, avx2, avx512] }
+            $crate::simd::Stage::new(&INFO, [baseline, avx2, avx512])
         };
     )*};
 }
@@ -226,7 +245,7 @@ mod tests {
             for step in &plan.steps {
                 #[expect(unsafe_code, reason = "the level is one that the processor has")]
                 unsafe {
-                    (step.run)(&mut batch, &[5.0, 2.0], step.arg);
+                    (step.run())(&mut batch, &[5.0, 2.0], step.arg);
                 }
             }
             assert_eq!(batch, [3.0; LANES]);
@@ -235,7 +254,7 @@ mod tests {
 
     #[test]
     fn a_step_knows_its_stage() {
-        let step = ADD.step(Level::Baseline, 0);
+        let step = ADD.step(Level::BASELINE, 0);
         assert!(step.is(&ADD) && !step.is(&ADD_AGAIN));
         assert_eq!((step.id.name(), step.id.cost().texels), ("ADD", 2));
     }

@@ -83,6 +83,17 @@ pub enum Storage {
     Depth,
 }
 
+impl Storage {
+    /// Bytes of a texel.
+    #[must_use]
+    pub const fn bytes(self) -> u64 {
+        match self {
+            Storage::Rgba8 | Storage::Depth => 4,
+            Storage::Float => 16,
+        }
+    }
+}
+
 /// The block formats of EXT_texture_compression_s3tc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum S3tc {

@@ -8,7 +8,7 @@ use super::format::{BaseFormat, BlockFit, InternalFormat, Storage};
 use super::padding::PaddingKey;
 use crate::enums::GLenum;
 use crate::error::{Outcome, out_of_memory};
-use crate::limits::MAX_IMAGE_TEXELS;
+use crate::limits::MAX_IMAGE_BYTES;
 use std::sync::Arc;
 
 /// How many dimensions of an image are padded: those that its target has.
@@ -151,7 +151,7 @@ impl Image {
         ]
         .into_iter()
         .try_fold(1u64, u64::checked_mul)
-        .filter(|&len| len <= MAX_IMAGE_TEXELS.saturating_mul(2))
+        .filter(|&len| len <= MAX_IMAGE_BYTES / format.storage.bytes() * 2)
         .and_then(|len| usize::try_from(len).ok())
         .ok_or_else(|| out_of_memory(format!("an image of {width}x{height}x{depth} texels is beyond memory")))?;
         Ok(Image {
@@ -187,7 +187,7 @@ impl Image {
         Ok(Image {
             texels: self.texels.try_clone()?,
             stencil: self.stencil.as_deref().map(copy).transpose()?,
-            compressed: self.compressed.clone(),
+            compressed: self.compressed.as_deref().map(copy).transpose()?,
             bordered,
             padded_for: self.padded_for,
             ..*self

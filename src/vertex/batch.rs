@@ -5,8 +5,8 @@
 use crate::fragment::planes::GROUP;
 use crate::limits::{MAX_CLIP_PLANES, MAX_TEXTURE_UNITS};
 use crate::raster::vertex::ScreenPosition;
-use crate::simd::LANES;
 pub use crate::simd::Lanes;
+use crate::simd::{LANES, boxed};
 use crate::state::current::Current;
 use crate::state::primitive::PrimitiveMode;
 
@@ -43,7 +43,7 @@ pub mod needs {
 }
 
 /// Values of one face while a vertex is lit: sums over the lights before the material multiplies them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct FaceSums {
     /// Ambient light that depends on the vertex (attenuated lights).
@@ -55,7 +55,7 @@ pub struct FaceSums {
 }
 
 /// Triangles of transformed vertices, and what culling makes of them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct CullBatch {
     /// Positions of the corners.
@@ -74,15 +74,16 @@ pub struct CullBatch {
     pub culled: u64,
 }
 
-impl Default for CullBatch {
-    fn default() -> Self {
+impl CullBatch {
+    /// No triangles.
+    const EMPTY: Self = {
         let corners = [[ScreenPosition(0); LANES]; 3];
         Self { corners, fate: [0; LANES], n: 0, seen: 0, clipped: 0, outside: 0, culled: 0 }
-    }
+    };
 }
 
 /// 64 vertices.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct VertexBatch {
     /// Object coordinates x, y, z, w.
@@ -145,13 +146,11 @@ pub struct VertexBatch {
 }
 
 impl VertexBatch {
-    /// An empty batch.
-    #[must_use]
-    pub fn new() -> Box<Self> {
+    const EMPTY: Self = {
         const Z: Lanes = [0.0; LANES];
         const W: F64Lanes = [0.0; LANES];
         let face = FaceSums { ambient: [Z; 3], diffuse: [Z; 3], specular: [Z; 3] };
-        Box::new(Self {
+        Self {
             n: 0,
             span: 0,
             w_is_one: true,
@@ -176,11 +175,18 @@ impl VertexBatch {
             attenuation: Z,
             n_dot_l: Z,
             n_dot_h: Z,
-            faces: [face.clone(), face],
+            faces: [face; 2],
             coord: [W; 4],
             out: [Z; MAX_SLOTS + 4],
-            triangles: CullBatch::default(),
-        })
+            triangles: CullBatch::EMPTY,
+        }
+    };
+
+    /// An empty batch.
+    #[must_use]
+    pub fn new() -> Box<Self> {
+        static EMPTY: VertexBatch = VertexBatch::EMPTY;
+        boxed(&EMPTY)
     }
 
     /// Forgets all vertices.

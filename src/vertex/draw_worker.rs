@@ -51,7 +51,7 @@ impl DrawWorker {
     /// Copies from another worker what is the same for all vertices of a draw.
     pub fn prepare(&mut self, plan: &VertexPlan, like: &Self) {
         self.processor.pool.reset(plan);
-        self.processor.batch.clone_from(&like.processor.batch);
+        *self.processor.batch = *like.processor.batch;
     }
 
     /// Draws. `room` is called every few hundred primitives, and may make room in the sink.

@@ -78,7 +78,7 @@ impl VertexPlan {
     #[must_use]
     pub fn cull(&self, culls: [bool; 2]) -> Step<VertFn> {
         let [positive, other] = [0, 1].map(|k: usize| if culls[k] { CULLS[k] } else { 0 });
-        Step { arg: self.clip_mask | positive | other, ..self.cull }
+        self.cull.with_arg(self.clip_mask | positive | other)
     }
 
     /// Runs some of its stages over a batch.
@@ -88,15 +88,14 @@ impl VertexPlan {
         for step in steps {
             #[expect(unsafe_code, reason = "stages of a plan are compiled for a level that the processor has")]
             unsafe {
-                (step.run)(batch, &self.uniforms, step.arg);
+                (step.run())(batch, &self.uniforms, step.arg);
             }
         }
     }
 
-    /// The plan of no state, for an instruction set or the highest one that the processor has.
+    /// The plan of no state, for an instruction set.
     #[must_use]
     pub fn new(level: Level) -> Self {
-        let level = level.at_most_available();
         Self {
             plan: Plan::new(level),
             position_stages: 0,

@@ -40,7 +40,7 @@ impl SetupJobPool {
         store: &mut VertexStore,
     ) -> SetupFn<P> {
         let new = || {
-            let plan = VertexPlan::new(Level::Baseline);
+            let plan = VertexPlan::new(Level::BASELINE);
             SetupJob { plan, mode, cut, store: VertexStore::default(), worker: DrawWorker::default() }
         };
         let mut job = self.idle().pop().unwrap_or_else(new);

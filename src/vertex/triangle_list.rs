@@ -46,7 +46,7 @@ impl VertexProcessor {
                 return false;
             }
             plan.run(plan.plan.steps.get(plan.position_stages..).unwrap_or_default(), batch);
-            let corners = CORNERS.levels[plan.plan.level() as usize];
+            let corners = CORNERS.at(plan.plan.level());
             let count = plan.layout.count;
             sink.take_batch(batch.n / 3, |to| {
                 #[expect(unsafe_code, reason = "a plan is made for a level that the processor has")]

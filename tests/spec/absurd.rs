@@ -1,6 +1,7 @@
 //! Commands in no sensible order with arguments of every kind (OpenGL 1.5, section 2.5): whatever a program sends, the
 //! library answers with a GL error or does it; it never ends the program, and a picture can still be drawn afterwards.
 
+use crate::allocator::within_budget;
 use crate::support::{Random, pixels};
 use fixedgl::Context;
 use fixedgl::NULL;
@@ -494,7 +495,7 @@ fn no_sequence_of_commands_ends_the_program() {
         for _ in 0..1500 {
             let list = if a.r.below(3) == 0 { VERTICES } else { COMMANDS };
             let command = a.r.pick(list);
-            command(&mut cx, &mut a);
+            within_budget((seed, commands), || command(&mut cx, &mut a));
             commands += 1;
         }
         cx.end();

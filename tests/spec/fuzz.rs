@@ -2,6 +2,7 @@
 //! Begin/End, in and out of display lists. Nothing may panic (the tests run with overflow checks), nothing may hang, and
 //! afterwards the context still draws what it should. The seeds are fixed, so a failure can be repeated.
 
+use crate::allocator::{failing, within_budget};
 use fixedgl::Context;
 use fixedgl::c::*;
 
@@ -365,18 +366,25 @@ fn still_draws(cx: &mut Context) {
     assert!(cx.pixels().chunks(4).all(|p| p == [0, 255, 0, 255]), "the context no longer draws");
 }
 
-fn run(seed: u64, commands: usize) {
+/// Where memory is short, one of the first large allocations of each command on textures fails.
+fn run(seed: u64, commands: usize, short_of_memory: bool) {
     let mut r = Random(seed);
-    let mut cx = Context::new(48, 48);
+    let mut cx = match short_of_memory {
+        true => Context::with_config(48, 48, fixedgl::Config::default().with_threads(1)),
+        false => Context::new(48, 48),
+    };
     let mut memory: Vec<u8> = (0..64 * 64 * 4).map(|_| r.next() as u8).collect();
-    for _ in 0..commands {
-        match r.below(20) {
+    for i in 0..commands {
+        within_budget((seed, i), || match r.below(20) {
             0..=6 => state(&mut cx, &mut r),
             7..=8 => matrices(&mut cx, &mut r),
-            9..=13 => textures(&mut cx, &mut r, &memory),
+            9..=13 => match short_of_memory.then(|| r.below(4) as u32 + 1) {
+                Some(n) => _ = failing(n, || textures(&mut cx, &mut r, &memory)),
+                None => textures(&mut cx, &mut r, &memory),
+            },
             14..=18 => drawing(&mut cx, &mut r, &mut memory),
             _ => lists(&mut cx, &mut r),
-        }
+        });
     }
     still_draws(&mut cx);
 }
@@ -384,6 +392,13 @@ fn run(seed: u64, commands: usize) {
 #[test]
 fn random_commands_do_no_harm() {
     for seed in 1..=6_u64 {
-        run(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15), 1500);
+        run(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15), 1500, false);
+    }
+}
+
+#[test]
+fn random_commands_do_no_harm_where_memory_is_short() {
+    for seed in 11..=14_u64 {
+        run(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15), 1500, true);
     }
 }

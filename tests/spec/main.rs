@@ -2,6 +2,8 @@
 //! oracle of `tests/oracle` as the judge of numbers. The figures that are measured are printed with `--nocapture`. What
 //! needs the oracle as well is in the same program, since each one that is linked takes its time.
 
+#[path = "../support/allocator.rs"]
+mod allocator;
 #[path = "../support/everywhere.rs"]
 mod everywhere;
 #[path = "../oracle/mod.rs"]
@@ -31,6 +33,7 @@ mod fog;
 mod fuzz;
 mod glu;
 mod glu_numbers;
+mod hostile;
 mod imaging;
 mod lighting;
 mod lines;

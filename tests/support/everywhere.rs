@@ -40,6 +40,6 @@ pub fn variants() -> Vec<Config> {
     all.extend([2, 7].map(|threads| base.with_threads(threads)));
     all.extend([17, 1].map(|batch_cut| base.with_batch_cut(batch_cut)));
     all.push(base.with_general_plan(true));
-    all.push(base.with_level(SimdLevel::Baseline).with_threads(7).with_batch_cut(17).with_general_plan(true));
+    all.push(base.with_level(SimdLevel::BASELINE).with_threads(7).with_batch_cut(17).with_general_plan(true));
     all
 }

@@ -75,7 +75,6 @@ impl Program {
             environments: None,
             tally: None,
         };
-        let level = level.at_most_available();
         let mut b = Builder { level, state, format, options, first: true, packed: false, program };
         b.build(textures);
         b.program

@@ -333,7 +333,7 @@ fn a_pixel_weighs_more_with_every_thing_that_is_done_to_it() {
     varied.pool[0].max = 1.0;
     let mut weigh = |change: fn(&mut State), scene: &Scene| {
         change(&mut state);
-        let p = program(Level::Baseline, &state, &format, Options::default());
+        let p = program(Level::BASELINE, &state, &format, Options::default());
         p.weight(&scene.planes[0], (&scene.pool).into())
     };
     let weights = [
@@ -350,7 +350,7 @@ fn a_pixel_weighs_more_with_every_thing_that_is_done_to_it() {
 #[test]
 fn a_program_says_what_it_does() {
     let format = FramebufferFormat::default();
-    let plain = program(Level::Baseline, &State::default(), &format, Options::default());
+    let plain = program(Level::BASELINE, &State::default(), &format, Options::default());
     assert_eq!(plain.stage_names(), ["BEGIN", "COLOR_STORE"]);
     assert!(!plain.reads_framebuffer && !plain.draws_nothing());
     let fate = |p: &crate::fragment::program::Program, stage: &str| {
@@ -369,20 +369,20 @@ fn a_program_says_what_it_does() {
     state.depth.test = true;
     state.color_buffer.alpha_test = true;
     state.color_buffer.alpha_func = CompareFunc::Greater;
-    let p = program(Level::Baseline, &state, &format, Options::default());
+    let p = program(Level::BASELINE, &state, &format, Options::default());
     let names = p.stage_names();
     let at = |n: &str| names.iter().position(|s| *s == n).unwrap_or_else(|| panic!("{n} in {names:?}"));
     assert!(at("EARLY_DEPTH") < at("COLOR") && at("ALPHA_TEST") < at("DEPTH_WRITE"));
     assert!(p.reads_framebuffer);
     state.color_buffer.color_mask = [false; 4];
     state.depth.mask = false;
-    assert!(program(Level::Baseline, &state, &format, Options::default()).draws_nothing());
+    assert!(program(Level::BASELINE, &state, &format, Options::default()).draws_nothing());
     // Almost is not enough: factors that are not ONE, ZERO are kept whatever the alphas may be.
     let mut state = State::default();
     state.color_buffer.blend = true;
     (state.color_buffer.blend_src, state.color_buffer.blend_dst) =
         ([BlendFactor::SrcAlpha; 2], [BlendFactor::OneMinusSrcAlpha; 2]);
-    assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "blending"), Some(Fate::Kept));
+    assert_eq!(fate(&program(Level::BASELINE, &state, &format, Options::default()), "blending"), Some(Fate::Kept));
     (state.fog.enabled, state.fog.density) = (true, 1e-30);
-    assert_eq!(fate(&program(Level::Baseline, &state, &format, Options::default()), "fog"), Some(Fate::Kept));
+    assert_eq!(fate(&program(Level::BASELINE, &state, &format, Options::default()), "fog"), Some(Fate::Kept));
 }

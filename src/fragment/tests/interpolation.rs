@@ -109,7 +109,7 @@ fn coordinates(
     #[expect(unsafe_code, reason = "the level is one that the processor has")]
     // SAFETY: `Level::available` gave it.
     unsafe {
-        (COORDINATES.levels[level as usize])(&mut b, &uniforms, &mut work, FIRST | DERIVATIVES | 2 << 2);
+        (COORDINATES.at(level))(&mut b, &uniforms, &mut work, FIRST | DERIVATIVES | 2 << 2);
     }
     b
 }

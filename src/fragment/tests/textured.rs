@@ -329,7 +329,7 @@ fn layouts_hold_what_is_needed() {
     let mut units = [None; 8];
     units[1] = Some(&object);
     let build = |state: &State, q_units| {
-        Program::build(Level::Baseline, state, units, &format, Options { q_units, ..Options::default() })
+        Program::build(Level::BASELINE, state, units, &format, Options { q_units, ..Options::default() })
     };
     // DECAL of an RGB texture replaces the colours and keeps the alpha of the primary colour.
     let p = build(&state, 0);

@@ -49,14 +49,13 @@ fn four_of(slots: &[f32], at: usize) -> Option<&[f32; 4]> {
 }
 
 impl SetupPlan {
-    /// The plan of no draw, for an instruction set or the highest one that the processor has.
+    /// The plan of no draw, for an instruction set.
     #[must_use]
     pub fn new(level: Level) -> Self {
-        let level = level.at_most_available() as usize;
         Self {
-            four: FOUR.levels[level],
-            set_up_batch: SET_UP_BATCH.levels[level],
-            transpose: TRANSPOSE.levels[level],
+            four: FOUR.at(level),
+            set_up_batch: SET_UP_BATCH.at(level),
+            transpose: TRANSPOSE.at(level),
             layout: Layout::default(),
             flat: false,
             units: Vec::new(),

@@ -275,7 +275,7 @@ impl EnvPlan {
         for step in &self.plan.steps {
             #[expect(unsafe_code, reason = "a plan is made for a level that the processor has")]
             unsafe {
-                (step.run)(batch, &self.uniforms, step.arg);
+                (step.run())(batch, &self.uniforms, step.arg);
             }
         }
     }
@@ -485,16 +485,16 @@ mod tests {
     fn what_only_moves_or_multiplies_takes_one_step() {
         let steps = |mode, base| {
             let env = Env { mode, ..Env::default() };
-            let plan = EnvPlan::build_until(Level::Baseline, &[Some((&env, base))], 1, false);
+            let plan = EnvPlan::build_until(Level::BASELINE, &[Some((&env, base))], 1, false);
             plan.plan.names().collect::<Vec<_>>()
         };
         assert_eq!(steps(EnvMode::Replace, Rgba), ["ENV_REPLACE"]);
         assert_eq!(steps(EnvMode::Modulate, Rgba), ["ENV_MODULATE"]);
         assert_eq!(steps(EnvMode::Modulate, Rgb), ["ENV_MODULATE", "ENV_REPLACE"]);
         let env = Env { mode: EnvMode::Combine, ..Env::default() };
-        let plan = EnvPlan::build_until(Level::Baseline, &[Some((&env, Rgba))], 1, false);
+        let plan = EnvPlan::build_until(Level::BASELINE, &[Some((&env, Rgba))], 1, false);
         assert_eq!(plan.plan.steps.len(), 1, "COMBINE with its initial values is MODULATE");
         let env = Env { scale: [2.0, 1.0], ..env };
-        assert!(EnvPlan::build_until(Level::Baseline, &[Some((&env, Rgba))], 1, false).plan.steps.len() > 1);
+        assert!(EnvPlan::build_until(Level::BASELINE, &[Some((&env, Rgba))], 1, false).plan.steps.len() > 1);
     }
 }

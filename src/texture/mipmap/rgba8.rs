@@ -4,7 +4,7 @@
 //! row of the last of these levels: a texel is read once, and the sums of a strip stay in the nearest cache.
 
 use crate::error::Outcome;
-use crate::simd::{Level, Stage, stage};
+use crate::simd::{Level, stage};
 use crate::texture::image::{Image, Texels, zeroed};
 use std::sync::Arc;
 
@@ -146,10 +146,9 @@ pub(super) fn levels(
         sums: &mut sums,
         means: &mut means,
     };
-    let Stage { levels: bodies, .. } = &STRIPS;
     #[expect(unsafe_code, reason = "the processor has every level up to the one that a context was made for")]
     unsafe {
-        (bodies[simd as usize])(&mut job);
+        (STRIPS.at(simd))(&mut job);
     }
     for image in made {
         image.internal_format = base.internal_format;

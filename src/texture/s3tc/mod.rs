@@ -356,7 +356,7 @@ mod tests {
             assert_eq!(image.upload([1, 0, 0], &part, Transfer::NEUTRAL).unwrap_err().code, GL_INVALID_OPERATION);
             image.upload([0, 0, 0], &part, Transfer::NEUTRAL).unwrap();
             assert_eq!((image.texel(3, 3, 0), image.texel(4, 3, 0)), ([0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0]));
-            let levels = crate::texture::mipmap::levels(&image, 9, Level::Baseline, &mut []).unwrap();
+            let levels = crate::texture::mipmap::levels(&image, 9, Level::BASELINE, &mut []).unwrap();
             assert!(levels.iter().all(|level| level.compressed.is_some() && level.internal_format == name));
             let bordered = make(1);
             assert!(bordered.compressed.is_none() && bordered.internal_format != name);

@@ -179,7 +179,7 @@ impl Sampler {
         for step in steps {
             #[expect(unsafe_code, reason = "a plan is made for a level that the processor has")]
             unsafe {
-                (step.run)(batch, &self.uniforms, step.arg);
+                (step.run())(batch, &self.uniforms, step.arg);
             }
         }
     }

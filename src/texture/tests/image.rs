@@ -341,7 +341,7 @@ fn absurd_sizes_are_out_of_memory() {
     assert!(empty.is_null());
     let mut empty = empty;
     empty.fill_padding(&padding_key([WrapMode::Repeat; 3], [0.0; 4])).unwrap();
-    assert!(mipmap::levels(&empty, 5, Level::Baseline, &mut []).unwrap().is_empty());
+    assert!(mipmap::levels(&empty, 5, Level::BASELINE, &mut []).unwrap().is_empty());
     let mut out = [];
     empty.get_tex_image(&PixelStore::TIGHT, GL_RGBA, GL_FLOAT, &mut out).unwrap();
 }
@@ -369,7 +369,7 @@ fn every_level_has_the_mean_of_the_image() {
     for (dimensions, size) in cases {
         for format in [GL_RGBA8, GL_RGBA16, GL_DEPTH_COMPONENT24] {
             let (image, _) = noisy(format, dimensions, size, 0);
-            let levels = mipmap::levels(&image, usize::MAX, Level::Baseline, &mut []).unwrap();
+            let levels = mipmap::levels(&image, usize::MAX, Level::BASELINE, &mut []).unwrap();
             assert_eq!(levels.len(), mipmap::levels_below(size));
             let (whole, mut want) = (mean(&image), size);
             for level in &levels {
@@ -399,7 +399,7 @@ fn levels_of_constants_ramps_and_known_texels_are_their_means() {
         BlockFit::default(),
     )
     .unwrap();
-    for level in mipmap::levels(&image, 9, Level::Baseline, &mut []).unwrap() {
+    for level in mipmap::levels(&image, 9, Level::BASELINE, &mut []).unwrap() {
         let Texels::Rgba8(texels) = &level.texels else { panic!() };
         assert_eq!(texels[level.origin()], u32::from_le_bytes([10, 20, 30, 40]));
         assert_eq!(level.internal_format, 4);
@@ -416,7 +416,7 @@ fn levels_of_constants_ramps_and_known_texels_are_their_means() {
         BlockFit::default(),
     )
     .unwrap();
-    let levels = mipmap::levels(&image, 1, Level::Baseline, &mut []).unwrap();
+    let levels = mipmap::levels(&image, 1, Level::BASELINE, &mut []).unwrap();
     assert_eq!(levels[0].texel(0, 0, 0).map(|c| (c * 255.0) as u8), [2, 2, 0, 255]);
     // A ramp stays a ramp: texel centres are where they should be (odd size, float texels).
     let n = 1023u16;
@@ -433,7 +433,7 @@ fn levels_of_constants_ramps_and_known_texels_are_their_means() {
         BlockFit::default(),
     )
     .unwrap();
-    for level in mipmap::levels(&image, 9, Level::Baseline, &mut []).unwrap() {
+    for level in mipmap::levels(&image, 9, Level::BASELINE, &mut []).unwrap() {
         let scale = f64::from(n) / f64::from(level.width);
         for i in 1..level.width as i32 - 1 {
             let want = (f64::from(i) + 0.5) * scale - 0.5;
@@ -446,7 +446,7 @@ fn levels_of_constants_ramps_and_known_texels_are_their_means() {
 #[test]
 fn borders_are_reduced_along_their_edges() {
     let (image, _) = noisy(GL_RGBA16, Dimensions::Two, [6, 6, 1], 1);
-    let level = &mipmap::levels(&image, 1, Level::Baseline, &mut []).unwrap()[0];
+    let level = &mipmap::levels(&image, 1, Level::BASELINE, &mut []).unwrap()[0];
     assert_eq!((level.width, level.border), (2, 1));
     let close = |a: [f32; 4], b: [f32; 4]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-4);
     assert!(close(level.texel(-1, -1, 0), image.texel(-1, -1, 0)), "corners stay");

@@ -425,8 +425,8 @@ fn borders_of_images_are_sampled_by_clamping_wraps() {
 #[test]
 fn nothing_is_asked_for_that_is_not_needed() {
     let names =
-        |o: &_| Sampler::build(Level::Baseline, o, 0.0, 0).plan.steps.iter().map(|s| s.id.name()).collect::<Vec<_>>();
-    let needs = |o: &_| Sampler::build(Level::Baseline, o, 0.0, 0).needs;
+        |o: &_| Sampler::build(Level::BASELINE, o, 0.0, 0).plan.steps.iter().map(|s| s.id.name()).collect::<Vec<_>>();
+    let needs = |o: &_| Sampler::build(Level::BASELINE, o, 0.0, 0).needs;
     let o = levels(TextureFilter::Linear, TextureFilter::Linear);
     assert_eq!(names(&o), ["BILINEAR_2D_LUMINANCE"]);
     assert!(!needs(&o).derivatives);

@@ -111,7 +111,7 @@ fn a_clipped_edge_has_the_same_bits_from_both_sides_and_for_both_halves() {
         state.transform.clip_plane_enabled[2] = true;
         state.transform.clip_planes[2] = plane;
         let ends = |state: &State, given: &[Given]| -> Vec<(Vertex, Vec<f32>)> {
-            match run(Level::Baseline, 64, state, &color_layout(), PrimitiveMode::Lines, given).pop() {
+            match run(Level::BASELINE, 64, state, &color_layout(), PrimitiveMode::Lines, given).pop() {
                 Some(Got::Line(v, ..)) => v,
                 _ => vec![],
             }

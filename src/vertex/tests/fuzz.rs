@@ -165,7 +165,7 @@ fn random_states_and_vertices_agree_everywhere() {
                 v
             })
             .collect();
-        let want = format!("{:?}", run(Level::Baseline, 64, &state, &layout, mode, &given));
+        let want = format!("{:?}", run(Level::BASELINE, 64, &state, &layout, mode, &given));
         for level in Level::available() {
             let cut = random.pick(&[1, 3, 16, 50, 64]);
             let got = run(level, cut, &state, &layout, mode, &given);

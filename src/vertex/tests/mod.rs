@@ -104,7 +104,7 @@ pub(super) fn run(
 
 /// Runs at every level and several batch cuts, which must agree, and gives the result.
 pub(super) fn draw(state: &State, layout: &Layout, mode: PrimitiveMode, given: &[Given]) -> Vec<Got> {
-    let want = run(Level::Baseline, 64, state, layout, mode, given);
+    let want = run(Level::BASELINE, 64, state, layout, mode, given);
     for level in Level::available() {
         for cut in [64, 37, 16, 5, 3, 2, 1] {
             let got = run(level, cut, state, layout, mode, given);

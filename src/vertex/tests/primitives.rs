@@ -161,7 +161,7 @@ fn wild_positions_are_dropped_and_nothing_panics() {
 
 #[test]
 fn small_primitives_share_batches() {
-    let mut pipe = VertexPipeline::new(Level::Baseline, 64);
+    let mut pipe = VertexPipeline::new(Level::BASELINE, 64);
     pipe.rebuild(&plain_state(), &color_layout(), Wants::default());
     let mut out = Collect::default();
     for i in 0..10 {

@@ -114,7 +114,7 @@ pub(in crate::raster) fn planes(
     w: [f64; 3],
     back: bool,
 ) -> (Planes, Vec<Plane>) {
-    let mut plan = SetupPlan::new(Level::Baseline);
+    let mut plan = SetupPlan::new(Level::BASELINE);
     plan.set(layout, flat);
     let basis = Basis::triangle([[-2.5, -2.5], [5.5, -2.5], [-2.5, 5.5]], 64.0);
     let (mut of, mut pool) = (Planes::default(), PlaneBuffer::default());
