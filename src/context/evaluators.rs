@@ -11,8 +11,11 @@ use crate::num::bernstein::{Bernstein, curve, surface};
 use crate::state::current::Current;
 use crate::state::eval::{COMPONENTS, EvalMap, MAPS, kind, map1_kind, map2_kind};
 
-/// Most points of a mesh: one call may take seconds, not hours.
-const MOST_POINTS: u64 = 1 << 24;
+/// Most points of a mesh: one call may take a second, not hours.
+const MOST_POINTS: u64 = 1 << 20;
+
+/// What a point of a mesh counts in [`Engine::pixels_written`]: a vertex, and its polynomials.
+const PIXELS_OF_A_POINT: u64 = 64;
 
 /// What the specification asks of the numbers of a map along one parameter.
 fn check_axis([from, to]: [f64; 2], stride: i32, order: i32, components: usize) -> Outcome<usize> {
@@ -247,6 +250,7 @@ impl Engine {
         if !self.makes_vertices(&self.state.eval.map1_enabled) {
             return Ok(());
         }
+        self.pixels_written += PIXELS_OF_A_POINT * steps(i1, i2);
         self.begin(primitive)?;
         (i1..=i2).for_each(|i| self.eval_point1(i));
         self.end()
@@ -261,6 +265,7 @@ impl Engine {
         if columns == 0 || rows == 0 || !self.makes_vertices(&self.state.eval.map2_enabled) {
             return Ok(());
         }
+        self.pixels_written += PIXELS_OF_A_POINT * columns * rows;
         match mode {
             GL_POINT => {
                 self.begin(GL_POINTS)?;

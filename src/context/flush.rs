@@ -69,7 +69,7 @@ impl Engine {
         self.framebuffer.accumulate(op, value, rect, mask)
     }
 
-    fn framebuffer_pixels(&self) -> u64 {
+    pub(crate) fn framebuffer_pixels(&self) -> u64 {
         u64::from(self.framebuffer.width()) * u64::from(self.framebuffer.height())
     }
 

@@ -193,6 +193,8 @@ impl Engine {
         if matches!(kind, PixelKind::Color | PixelKind::Index) && self.uses_imaging() {
             return self.draw_imaged(source, size, raster);
         }
+        let [width, height] = placed.size();
+        self.pixels_written += width as u64 * height as u64;
         let engine = &*self;
         let values = match kind {
             PixelKind::Color | PixelKind::Index if source.is_packed(engine) => {
@@ -324,6 +326,8 @@ impl Engine {
         }
         let (head, slots) = raster_vertex(&raster, &program.layout);
         let position = VertexRef { head: &head, slots: &slots };
+        let [width, height, _] = image.size();
+        self.pixels_written += (width as u64 * height as u64).min(self.framebuffer_pixels());
         let mut blocks = blocks(image, [corner(0) as i32, corner(1) as i32], self.raster_state().clip).peekable();
         while blocks.peek().is_some() {
             let Some(mut builder) = self.scene.builder() else { return };

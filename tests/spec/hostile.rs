@@ -191,6 +191,21 @@ fn no_command_asks_for_work_without_end() {
             quadric.draw_style(glu::GLU_LINE);
             quadric.disk(cx, 0.0, 1.0, MOST, 1);
         }),
+        ("meshes and pixels without end", |cx| {
+            cx.map2f(GL_MAP2_VERTEX_3, 0.0, 1.0, 3, 2, 0.0, 1.0, 6, 2, &[0.5f32; 12]);
+            cx.enable(GL_MAP2_VERTEX_3);
+            cx.eval_mesh2(GL_FILL, i32::MIN, MOST, i32::MIN, MOST);
+            cx.eval_mesh2(GL_LINE, 0, 0, 0, MOST);
+            cx.eval_mesh1(GL_LINE, i32::MIN, MOST);
+            cx.raster_pos2f(0.0, 0.0);
+            cx.pixel_zoom(f32::MAX, f32::MAX);
+            cx.draw_pixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &[0u8; 4]);
+            cx.copy_pixels(i32::MIN, i32::MIN, MOST, MOST, GL_COLOR);
+            cx.pixel_zoom(1e-30, -1e-30);
+            cx.copy_pixels(0, 0, MOST, MOST, GL_COLOR);
+            cx.feedback_buffer(MOST, GL_2D);
+            cx.select_buffer(MOST);
+        }),
         ("names and lists", |cx| {
             let first = cx.gen_lists(MOST);
             cx.delete_lists(first, MOST);
