@@ -10,6 +10,7 @@
 use super::Pixels;
 use super::engine::Engine;
 use super::imaging_tables::{COLUMN, Histogram};
+use super::pixels_arg::try_copy;
 use crate::enums::*;
 use crate::error::{Outcome, out_of_memory};
 use crate::pixels::imaging::{ColorImage, Kernel, convolve, count, look_up, widen};
@@ -143,7 +144,13 @@ impl Engine {
 
     /// The colours of a part of the framebuffer after scale, bias and maps; those outside of it are made of 0.
     pub(crate) fn read_colors(&self, [x, y]: [i32; 2], size: [usize; 2]) -> Outcome<ColorImage> {
-        let mut colors = crate::pixels::zoom::zeroed::<[f32; 4]>(checked_count(size)?)?;
+        let count = checked_count(size)?;
+        // Most of a much larger part is outside, with no memory behind it.
+        let most = self.framebuffer_pixels().saturating_mul(4).max(1 << 20);
+        if count as u64 > most {
+            return Err(out_of_memory(format!("{count} groups of a framebuffer; the most is {most} of this one")));
+        }
+        let mut colors = crate::pixels::zoom::zeroed::<[f32; 4]>(count)?;
         for (i, row) in colors.chunks_exact_mut(size[0].max(1)).enumerate() {
             let y = y.saturating_add(i32::try_from(i).unwrap_or(i32::MAX));
             self.framebuffer.read_float(x, y, row);
@@ -158,7 +165,9 @@ impl Engine {
         image: &ColorImage,
         f: impl FnOnce(&mut Self, (GLenum, GLenum), &Pixels<'_>) -> Outcome<T>,
     ) -> Outcome<T> {
-        let bytes: Arc<[u8]> = crate::num::as_bytes(image.colors.as_flattened()).into();
+        let bytes = try_copy(crate::num::as_bytes(image.colors.as_flattened()));
+        let bytes = Arc::new(bytes.ok_or_else(|| out_of_memory("no memory for the colours of the imaging subset"))?);
+        self.pixels_written += image.colors.len() as u64;
         let (pixel, matrix) = (self.state.pixel, *self.state.transform.color.top());
         (self.state.pixel.transfer, self.state.pixel.imaging) = Default::default();
         *self.state.transform.color.top_mut() = DMat4::IDENTITY;

@@ -227,6 +227,8 @@ impl Engine {
         let Some(image) = image.map(|image| self.transfer_image(image, 2)).transpose()?.flatten() else {
             return Ok(());
         };
+        // Each of them has gone through the tables and filters.
+        self.pixels_written += 16 * image.colors.len() as u64;
         let [x, y, ..] = self.state.current.raster.position;
         let window = [[raster.clip.x0, raster.clip.x1], [raster.clip.y0, raster.clip.y1]];
         let size = image.size.map(|n| u32::try_from(n).unwrap_or(0));
