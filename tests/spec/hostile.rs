@@ -329,14 +329,6 @@ fn a_large_allocation_that_fails_is_out_of_memory() {
             cx.end_list();
             said(cx)
         }),
-        ("draws in a list", |cx, m| {
-            cx.enable_client_state(GL_VERTEX_ARRAY);
-            cx.vertex_pointer(2, GL_FLOAT, 0, &m.floats[..MANY / 8]);
-            cx.new_list(1, GL_COMPILE);
-            cx.draw_arrays(GL_POINTS, 0, MANY as i32 / 16);
-            cx.draw_elements(GL_POINTS, MANY as i32 / 4, GL_UNSIGNED_BYTE, &m.bytes[..MANY / 4]);
-            said(cx)
-        }),
         ("names", |cx, m| {
             cx.gen_textures(100_000, &mut m.names);
             cx.gen_buffers(100_000, &mut m.names);
