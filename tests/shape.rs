@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// The rooms, from the top of the house to its ground. A room may use what stands below it.
 const ROOMS: &[&[&str]] = &[
-    &["spec_notes"],
+    &["spec_notes", "soundness"],
     &["capi"],
     &["c"],
     &["explain"],

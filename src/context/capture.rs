@@ -2,7 +2,6 @@
 //! an image as it is under the unpack state when it is compiled. It is kept tight: whole elements in native byte order,
 //! rows without a gap, bitmaps with the highest bit first; so the unpack state at the time of the call does not matter.
 
-use super::Context;
 use super::engine::Engine;
 use super::pixels_arg::{Pixels, try_copy};
 use crate::enums::GLenum;
@@ -10,7 +9,6 @@ use crate::error::{Outcome, out_of_memory};
 use crate::pixels::format::{PixelFormat, Type};
 use crate::pixels::layout::ClientLayout;
 use crate::state::pixel::PixelStore;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 
 /// The size of an image: two numbers for a 1D or 2D image, three for a 3D image, whose slices can be skipped.
@@ -52,17 +50,6 @@ pub(crate) fn keep_bytes(pixels: &Pixels<'_>) -> Outcome<Pixels<'static>> {
             let kept = try_copy(bytes).ok_or_else(|| out_of_memory("no memory left for a display list"))?;
             Ok(Pixels::Kept(Arc::new(kept)))
         }
-    }
-}
-
-impl Context {
-    /// Calls `f` while the unpack state is that of memory without gaps, also where a callback of the program panics.
-    pub(crate) fn with_tight_rows<T>(&mut self, f: impl FnOnce(&mut Self) -> T) -> T {
-        let store = self.engine.unpack_store();
-        self.engine.set_unpack_store(PixelStore::TIGHT);
-        let result = catch_unwind(AssertUnwindSafe(|| f(self)));
-        self.engine.set_unpack_store(store);
-        result.unwrap_or_else(|panic| resume_unwind(panic))
     }
 }
 

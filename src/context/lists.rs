@@ -8,6 +8,8 @@ use super::recorder::{Command, FailedCommand, List, ListDraw, OpenList, Other};
 use super::{Context, param_counts};
 use crate::enums::*;
 use crate::error::{Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory, too_short};
+use crate::state::pixel::PixelStore;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 
 /// Depth of lists within lists (`MAX_LIST_NESTING`).
@@ -127,6 +129,15 @@ impl Context {
             self.recorder.remove(list, last);
         }
         Ok(())
+    }
+
+    /// Calls `f` while the unpack state is that of memory without gaps, also where a callback of the program panics.
+    pub(crate) fn with_tight_rows<T>(&mut self, f: impl FnOnce(&mut Self) -> T) -> T {
+        let store = self.engine.unpack_store();
+        self.engine.set_unpack_store(PixelStore::TIGHT);
+        let result = catch_unwind(AssertUnwindSafe(|| f(self)));
+        self.engine.set_unpack_store(store);
+        result.unwrap_or_else(|panic| resume_unwind(panic))
     }
 
     /// Carries out lists by their offsets from a base. Images that lists hold are tight: so is the unpack state meanwhile.
