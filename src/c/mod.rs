@@ -25,6 +25,7 @@ mod current;
 mod glu;
 mod manual;
 mod rows;
+mod tess;
 
 pub use crate::context::{ArrayData, Context, Indices, NULL, Null, Pixels, PixelsMut};
 pub use crate::enums::*;
@@ -32,3 +33,4 @@ pub use current::{calls_without_context, make_current, take_current, with_curren
 pub use glu::*;
 pub use manual::*;
 pub use rows::*;
+pub use tess::*;

@@ -27,7 +27,8 @@ macro_rules! exports {
             pub unsafe extern "C" fn $name($($a: $t),*) $(-> $r)? $body
         )*
 
-        fn $find(name: &str) -> Option<*const c_void> {
+        /// The address of one of these functions.
+        pub(super) fn $find(name: &str) -> Option<*const c_void> {
             match name {
                 $( stringify!($name) => Some($name as *const c_void), )*
                 _ => None,
@@ -35,6 +36,8 @@ macro_rules! exports {
         }
     };
 }
+
+pub(super) use exports;
 
 /// Calls `f` with a quadric, then its error callback if there was an error.
 ///

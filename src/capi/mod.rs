@@ -21,3 +21,4 @@ mod proc_address;
 #[cfg(test)]
 mod quick_tests;
 mod rows;
+mod tess;

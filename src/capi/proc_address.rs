@@ -1,7 +1,7 @@
 //! Functions by their names: OSMesaGetProcAddress knows every function that the library exports.
 
 use super::osmesa::*;
-use super::{current, glu, manual, rows};
+use super::{current, glu, manual, rows, tess};
 use std::ffi::{CStr, c_char, c_void};
 
 /// The address of a function of OSMesa.
@@ -36,8 +36,11 @@ pub unsafe extern "C" fn OSMesaGetProcAddress(name: *const c_char) -> *const c_v
     // SAFETY: the caller's promise.
     let Ok(name) = (unsafe { CStr::from_ptr(name) }).to_str() else { return std::ptr::null() };
     let found = current::without(|| {
-        let address =
-            rows::find(name).or_else(|| manual::find(name)).or_else(|| glu::find(name)).or_else(|| osmesa(name));
+        let address = rows::find(name)
+            .or_else(|| manual::find(name))
+            .or_else(|| glu::find(name))
+            .or_else(|| tess::find(name))
+            .or_else(|| osmesa(name));
         address.map_or(0, |address| address as usize)
     });
     found as *const c_void

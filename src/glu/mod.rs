@@ -1,4 +1,4 @@
-//! GLU, the utility library (GLU 1.3): mipmaps, image scaling, projections, quadrics, strings.
+//! GLU, the utility library (GLU 1.3): mipmaps, image scaling, projections, quadrics, the tessellator, strings.
 //!
 //! Everything here is made of GL commands of a [`Context`], as a program could write it; only the pixel store is read and
 //! replaced for the time of a call without a command. Functions keep GLU's names in snake_case and take the context first: `gluPerspective` is
@@ -18,6 +18,7 @@ mod revolution;
 pub(crate) mod rows;
 mod scale;
 mod strings;
+mod tess;
 
 pub use constants::*;
 pub use matrices::{
@@ -30,6 +31,8 @@ pub use quadrics::{ErrorCallback, Quadric};
 pub use strings::{check_extension, error_string, get_string};
 #[cfg(feature = "capi")]
 pub(crate) use strings::{error_words, words};
+pub(crate) use tess::Polygon;
+pub use tess::{TessCallbacks, Tessellator};
 
 use crate::context::{Context, IntoInt, Pixels, PixelsMut};
 use crate::enums::GLenum;

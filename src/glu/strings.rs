@@ -16,6 +16,12 @@ pub(crate) fn error_words(error: GLenum) -> Option<&'static CStr> {
         GL_OUT_OF_MEMORY | GLU_OUT_OF_MEMORY => c"out of memory",
         GL_TABLE_TOO_LARGE => c"table too large",
         GLU_INCOMPATIBLE_GL_VERSION => c"incompatible gl version",
+        GLU_TESS_MISSING_BEGIN_POLYGON => c"gluTessBeginPolygon is missing",
+        GLU_TESS_MISSING_BEGIN_CONTOUR => c"gluTessBeginContour is missing",
+        GLU_TESS_MISSING_END_POLYGON => c"gluTessEndPolygon is missing",
+        GLU_TESS_MISSING_END_CONTOUR => c"gluTessEndContour is missing",
+        GLU_TESS_COORD_TOO_LARGE => c"a coordinate is too large",
+        GLU_TESS_NEED_COMBINE_CALLBACK => c"edges cross: a combine callback is needed",
         _ => return None,
     })
 }

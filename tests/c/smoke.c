@@ -170,6 +170,53 @@ static void arrays(const GLubyte *picture) {
     CHECK(glGetError() == GL_NO_ERROR);
 }
 
+/* GLU: a square with a bow tie as its hole, which crosses itself. */
+static int tess_vertices, tess_flagged, tess_combined, tess_errors;
+static GLboolean tess_boundary;
+static void tess_begin(GLenum mode, void *data) { CHECK(mode == GL_TRIANGLES && data == &tess_vertices); }
+static void tess_flag(GLboolean flag) { tess_boundary = flag; }
+static void tess_vertex(void *vertex) {
+    tess_vertices += vertex != NULL;
+    tess_flagged += tess_boundary;
+}
+static void tess_error(GLenum error) { tess_errors += error == GLU_TESS_MISSING_END_CONTOUR; }
+static void tess_combine(GLdouble position[3], void *data[4], GLfloat weight[4], void **out) {
+    static GLdouble middle[3];
+    int i;
+    CHECK(data[0] && data[3] && weight[0] == 0.25f && weight[3] == 0.25f);
+    for (i = 0; i < 3; i++) middle[i] = position[i];
+    CHECK(middle[0] == 4 && middle[1] == 4);
+    *out = middle;
+    tess_combined++;
+}
+
+static void tessellator(void) {
+    static GLdouble points[8][3] = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {2, 2}, {6, 6}, {6, 2}, {2, 6}};
+    GLUtesselator *tess = gluNewTess();
+    GLdouble rule = 0;
+    int i;
+    CHECK(tess != NULL);
+    gluTessCallback(tess, GLU_TESS_BEGIN_DATA, (_GLUfuncptr)tess_begin);
+    gluTessCallback(tess, GLU_TESS_EDGE_FLAG, (_GLUfuncptr)tess_flag);
+    gluTessCallback(tess, GLU_TESS_VERTEX, (_GLUfuncptr)tess_vertex);
+    gluTessCallback(tess, GLU_TESS_ERROR, (_GLUfuncptr)tess_error);
+    gluTessCallback(tess, GLU_TESS_COMBINE, (_GLUfuncptr)tess_combine);
+    gluTessNormal(tess, 0, 0, 1);
+    gluGetTessProperty(tess, GLU_TESS_WINDING_RULE, &rule);
+    CHECK(rule == GLU_TESS_WINDING_ODD);
+    gluTessBeginPolygon(tess, &tess_vertices);
+    for (i = 0; i < 8; i++) {
+        if (i % 4 == 0) gluTessBeginContour(tess);
+        gluTessVertex(tess, points[i], points[i]);
+        if (i == 3) gluTessEndContour(tess);
+    }
+    gluTessEndPolygon(tess);
+    gluDeleteTess(tess);
+    /* The hole is a way of six vertices, the middle twice: 4 + 6 - 2 + 2 triangles, all ten sides flagged. */
+    CHECK(tess_combined == 1 && tess_errors == 1 && tess_flagged == 10);
+    CHECK(tess_vertices == 3 * 10);
+}
+
 /* GLU: mipmaps, a camera, a textured and lit sphere. */
 static void sphere(const char *file) {
     enum { SIZE = 192, TEXELS = 60 };
@@ -302,6 +349,7 @@ int main(int argc, char **argv) {
     arrays(picture);
     OSMesaDestroyContext(cx);
     formats();
+    tessellator();
     sphere(argc > 1 ? argv[1] : NULL);
     if (failed) fprintf(stderr, "%d checks failed\n", failed);
     else puts("C door: all checks hold");

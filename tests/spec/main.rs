@@ -46,6 +46,7 @@ mod render_modes;
 mod shadow;
 mod sprites;
 mod state;
+mod tess;
 mod texgen;
 mod texture_images;
 mod texture_objects;
