@@ -76,15 +76,15 @@ pub use framebuffer::FramebufferFormat;
 pub use simd::SimdLevel;
 
 pub mod args {
-    //! What the commands of [`Context`](crate::Context) take besides plain numbers: conversions that C does by itself
-    //! ([`IntoInt`], [`IntoFloat`], ...), memory that is read or written ([`InSlice`], [`OutSlice`], [`Pixels`]), and
+    //! What the commands of [`Context`](crate::Context) take: conversions of numbers that C does by itself
+    //! ([`IntoGl`]), memory that is read or written ([`InSlice`], [`OutSlice`], [`Pixels`]), and
     //! vertex arrays and indices, which are memory or an offset into the bound buffer object ([`ArrayData`],
     //! [`Indices`]). Programs seldom name them: arrays, slices, vectors, offsets and [`NULL`](crate::NULL) convert by
     //! themselves.
 
     pub use crate::context::{
-        ArrayData, ClientAddress, Element, InSlice, IndexLists, Indices, IntoBool, IntoFloat, IntoInt, IntoSize, Null,
-        OutSlice, Pixels, PixelsMut,
+        ArrayData, ClientAddress, Element, InSlice, IndexLists, Indices, IntoArray, IntoGl, IntoIndices, IntoPixels,
+        IntoPixelsMut, Null, OutSlice, Pixels, PixelsMut,
     };
 }
 

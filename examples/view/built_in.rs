@@ -40,7 +40,7 @@ pub fn model() -> Result<Obj, String> {
         let up = cross(side, along);
         for j in 0..AROUND {
             let (s, c) = sin_cos(TAU * j as f64 / AROUND as f64);
-            let p: [f64; 3] = std::array::from_fn(|k| at[k] + 0.55 * (c * up[k] + s * side[k]));
+            let p: [f64; 3] = std::array::from_fn(|k| at[k] + 0.42 * (c * up[k] + s * side[k]));
             let _ = writeln!(text, "v {} {} {}", p[0], p[1], p[2]);
         }
     }

@@ -17,7 +17,7 @@
 
 use super::current;
 use super::manual::with;
-use crate::context::{InSlice, IntoBool, IntoInt, Pixels, PixelsMut};
+use crate::context::{InSlice, IntoGl, IntoPixels, IntoPixelsMut};
 use crate::enums::{GLboolean, GLdouble, GLenum, GLint, GLsizei};
 use crate::glu::rows::{mipmap_rows, quadric_rows};
 use crate::glu::{self, Matrix, MipmapLevels, Quadric};
@@ -48,11 +48,11 @@ macro_rules! mipmaps {
         #[track_caller]
         pub fn $name<'a>(
             target: GLenum,
-            internalformat: impl IntoInt,
+            internalformat: impl IntoGl<GLint>,
             $($size: GLsizei,)*
             format: GLenum,
             type_: GLenum,
-            data: impl Into<Pixels<'a>>,
+            data: impl IntoPixels<'a>,
         ) -> GLint {
             with!($name, cx => glu::$build(cx, target, internalformat, $($size,)* format, type_, data))
         }
@@ -61,14 +61,14 @@ macro_rules! mipmaps {
         #[track_caller]
         pub fn $levels_name<'a>(
             target: GLenum,
-            internalformat: impl IntoInt,
+            internalformat: impl IntoGl<GLint>,
             $($size: GLsizei,)*
             format: GLenum,
             type_: GLenum,
             level: GLint,
             base: GLint,
             max: GLint,
-            data: impl Into<Pixels<'a>>,
+            data: impl IntoPixels<'a>,
         ) -> GLint {
             let levels = MipmapLevels { level, base, max };
             with!($levels_name, cx => {
@@ -87,11 +87,11 @@ pub fn gluScaleImage<'a, 'b>(
     width_in: GLsizei,
     height_in: GLsizei,
     type_in: GLenum,
-    data_in: impl Into<Pixels<'a>>,
+    data_in: impl IntoPixels<'a>,
     width_out: GLsizei,
     height_out: GLsizei,
     type_out: GLenum,
-    data_out: impl Into<PixelsMut<'b>>,
+    data_out: impl IntoPixelsMut<'b>,
 ) -> GLint {
     with!(gluScaleImage, cx => {
         glu::scale_image(cx, format, width_in, height_in, type_in, data_in, width_out, height_out, type_out, data_out)
@@ -101,55 +101,55 @@ pub fn gluScaleImage<'a, 'b>(
 /// See [`perspective`](crate::glu::perspective).
 #[track_caller]
 pub fn gluPerspective(
-    fovy: impl Into<GLdouble>,
-    aspect: impl Into<GLdouble>,
-    near: impl Into<GLdouble>,
-    far: impl Into<GLdouble>,
+    fovy: impl IntoGl<GLdouble>,
+    aspect: impl IntoGl<GLdouble>,
+    near: impl IntoGl<GLdouble>,
+    far: impl IntoGl<GLdouble>,
 ) {
-    with!(gluPerspective, cx => glu::perspective(cx, fovy.into(), aspect.into(), near.into(), far.into()));
+    with!(gluPerspective, cx => glu::perspective(cx, fovy.into_gl(), aspect.into_gl(), near.into_gl(), far.into_gl()));
 }
 
 /// See [`ortho_2d`](crate::glu::ortho_2d).
 #[track_caller]
 pub fn gluOrtho2D(
-    left: impl Into<GLdouble>,
-    right: impl Into<GLdouble>,
-    bottom: impl Into<GLdouble>,
-    top: impl Into<GLdouble>,
+    left: impl IntoGl<GLdouble>,
+    right: impl IntoGl<GLdouble>,
+    bottom: impl IntoGl<GLdouble>,
+    top: impl IntoGl<GLdouble>,
 ) {
-    with!(gluOrtho2D, cx => glu::ortho_2d(cx, left.into(), right.into(), bottom.into(), top.into()));
+    with!(gluOrtho2D, cx => glu::ortho_2d(cx, left.into_gl(), right.into_gl(), bottom.into_gl(), top.into_gl()));
 }
 
 /// See [`look_at`](crate::glu::look_at).
 #[track_caller]
 pub fn gluLookAt(
-    eye_x: impl Into<GLdouble>,
-    eye_y: impl Into<GLdouble>,
-    eye_z: impl Into<GLdouble>,
-    center_x: impl Into<GLdouble>,
-    center_y: impl Into<GLdouble>,
-    center_z: impl Into<GLdouble>,
-    up_x: impl Into<GLdouble>,
-    up_y: impl Into<GLdouble>,
-    up_z: impl Into<GLdouble>,
+    eye_x: impl IntoGl<GLdouble>,
+    eye_y: impl IntoGl<GLdouble>,
+    eye_z: impl IntoGl<GLdouble>,
+    center_x: impl IntoGl<GLdouble>,
+    center_y: impl IntoGl<GLdouble>,
+    center_z: impl IntoGl<GLdouble>,
+    up_x: impl IntoGl<GLdouble>,
+    up_y: impl IntoGl<GLdouble>,
+    up_z: impl IntoGl<GLdouble>,
 ) {
-    let eye = [eye_x.into(), eye_y.into(), eye_z.into()];
-    let center = [center_x.into(), center_y.into(), center_z.into()];
-    let up = [up_x.into(), up_y.into(), up_z.into()];
+    let eye = [eye_x.into_gl(), eye_y.into_gl(), eye_z.into_gl()];
+    let center = [center_x.into_gl(), center_y.into_gl(), center_z.into_gl()];
+    let up = [up_x.into_gl(), up_y.into_gl(), up_z.into_gl()];
     with!(gluLookAt, cx => glu::look_at(cx, eye, center, up));
 }
 
 /// See [`pick_matrix`](crate::glu::pick_matrix). A viewport of less than four numbers picks nothing.
 #[track_caller]
 pub fn gluPickMatrix(
-    x: impl Into<GLdouble>,
-    y: impl Into<GLdouble>,
-    width: impl Into<GLdouble>,
-    height: impl Into<GLdouble>,
-    viewport: &(impl InSlice<GLint> + ?Sized),
+    x: impl IntoGl<GLdouble>,
+    y: impl IntoGl<GLdouble>,
+    width: impl IntoGl<GLdouble>,
+    height: impl IntoGl<GLdouble>,
+    viewport: impl InSlice<GLint>,
 ) {
     let Some(viewport) = viewport.slice().first_chunk() else { return };
-    with!(gluPickMatrix, cx => glu::pick_matrix(cx, x.into(), y.into(), width.into(), height.into(), viewport));
+    with!(gluPickMatrix, cx => glu::pick_matrix(cx, x.into_gl(), y.into_gl(), width.into_gl(), height.into_gl(), viewport));
 }
 
 /// The two matrices and the viewport of a projection, if the arrays are long enough.
@@ -172,17 +172,17 @@ fn store<const N: usize>(point: Option<[f64; N]>, places: [&mut GLdouble; N]) ->
 
 /// See [`project`](crate::glu::project). Returns `GL_TRUE`, or `GL_FALSE` if there is no such point.
 pub fn gluProject(
-    obj_x: impl Into<GLdouble>,
-    obj_y: impl Into<GLdouble>,
-    obj_z: impl Into<GLdouble>,
-    model: &(impl InSlice<GLdouble> + ?Sized),
-    projection: &(impl InSlice<GLdouble> + ?Sized),
-    viewport: &(impl InSlice<GLint> + ?Sized),
+    obj_x: impl IntoGl<GLdouble>,
+    obj_y: impl IntoGl<GLdouble>,
+    obj_z: impl IntoGl<GLdouble>,
+    model: impl InSlice<GLdouble>,
+    projection: impl InSlice<GLdouble>,
+    viewport: impl InSlice<GLint>,
     win_x: &mut GLdouble,
     win_y: &mut GLdouble,
     win_z: &mut GLdouble,
 ) -> GLint {
-    let object = [obj_x.into(), obj_y.into(), obj_z.into()];
+    let object = [obj_x.into_gl(), obj_y.into_gl(), obj_z.into_gl()];
     let point =
         view(model.slice(), projection.slice(), viewport.slice()).and_then(|(m, p, v)| glu::project(object, m, p, v));
     store(point, [win_x, win_y, win_z])
@@ -190,17 +190,17 @@ pub fn gluProject(
 
 /// See [`un_project`](crate::glu::un_project). Returns `GL_TRUE`, or `GL_FALSE` if there is no such point.
 pub fn gluUnProject(
-    win_x: impl Into<GLdouble>,
-    win_y: impl Into<GLdouble>,
-    win_z: impl Into<GLdouble>,
-    model: &(impl InSlice<GLdouble> + ?Sized),
-    projection: &(impl InSlice<GLdouble> + ?Sized),
-    viewport: &(impl InSlice<GLint> + ?Sized),
+    win_x: impl IntoGl<GLdouble>,
+    win_y: impl IntoGl<GLdouble>,
+    win_z: impl IntoGl<GLdouble>,
+    model: impl InSlice<GLdouble>,
+    projection: impl InSlice<GLdouble>,
+    viewport: impl InSlice<GLint>,
     obj_x: &mut GLdouble,
     obj_y: &mut GLdouble,
     obj_z: &mut GLdouble,
 ) -> GLint {
-    let window = [win_x.into(), win_y.into(), win_z.into()];
+    let window = [win_x.into_gl(), win_y.into_gl(), win_z.into_gl()];
     let point = view(model.slice(), projection.slice(), viewport.slice())
         .and_then(|(m, p, v)| glu::un_project(window, m, p, v));
     store(point, [obj_x, obj_y, obj_z])
@@ -208,22 +208,22 @@ pub fn gluUnProject(
 
 /// See [`un_project4`](crate::glu::un_project4). Returns `GL_TRUE`, or `GL_FALSE` if there is no such point.
 pub fn gluUnProject4(
-    win_x: impl Into<GLdouble>,
-    win_y: impl Into<GLdouble>,
-    win_z: impl Into<GLdouble>,
-    clip_w: impl Into<GLdouble>,
-    model: &(impl InSlice<GLdouble> + ?Sized),
-    projection: &(impl InSlice<GLdouble> + ?Sized),
-    viewport: &(impl InSlice<GLint> + ?Sized),
-    near: impl Into<GLdouble>,
-    far: impl Into<GLdouble>,
+    win_x: impl IntoGl<GLdouble>,
+    win_y: impl IntoGl<GLdouble>,
+    win_z: impl IntoGl<GLdouble>,
+    clip_w: impl IntoGl<GLdouble>,
+    model: impl InSlice<GLdouble>,
+    projection: impl InSlice<GLdouble>,
+    viewport: impl InSlice<GLint>,
+    near: impl IntoGl<GLdouble>,
+    far: impl IntoGl<GLdouble>,
     obj_x: &mut GLdouble,
     obj_y: &mut GLdouble,
     obj_z: &mut GLdouble,
     obj_w: &mut GLdouble,
 ) -> GLint {
-    let (window, w) = ([win_x.into(), win_y.into(), win_z.into()], clip_w.into());
-    let range = (near.into(), far.into());
+    let (window, w) = ([win_x.into_gl(), win_y.into_gl(), win_z.into_gl()], clip_w.into_gl());
+    let range = (near.into_gl(), far.into_gl());
     let point = view(model.slice(), projection.slice(), viewport.slice())
         .and_then(|(m, p, v)| glu::un_project4(window, w, m, p, v, range.0, range.1));
     store(point, [obj_x, obj_y, obj_z, obj_w])
@@ -254,8 +254,8 @@ pub fn gluQuadricOrientation(quadric: &GLUquadric, orientation: GLenum) {
 }
 
 /// See [`Quadric::texture`](crate::glu::Quadric::texture).
-pub fn gluQuadricTexture(quadric: &GLUquadric, texture: impl IntoBool) {
-    quadric.with(|q| q.texture(texture.into_bool()));
+pub fn gluQuadricTexture(quadric: &GLUquadric, texture: impl IntoGl<bool>) {
+    quadric.with(|q| q.texture(texture.into_gl()));
 }
 
 /// See [`Quadric::callback`](crate::glu::Quadric::callback). The callback must not use the quadric that calls it.
@@ -270,13 +270,13 @@ macro_rules! quadrics {
         #[track_caller]
         pub fn $name(
             quadric: &GLUquadric,
-            $($number: impl Into<GLdouble>,)*
+            $($number: impl IntoGl<GLdouble>,)*
             $($count: GLint,)*
-            $($more: impl Into<GLdouble>,)*
+            $($more: impl IntoGl<GLdouble>,)*
         ) {
             with!($name, cx => {
                 if let Ok(mut quadric) = quadric.0.try_borrow_mut() {
-                    quadric.$method(cx, $($number.into(),)* $($count,)* $($more.into(),)*);
+                    quadric.$method(cx, $($number.into_gl(),)* $($count,)* $($more.into_gl(),)*);
                 }
             });
         }

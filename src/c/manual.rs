@@ -24,9 +24,9 @@ pub(super) use with;
 #[track_caller]
 pub fn glMultiDrawElements(
     mode: GLenum,
-    count: &(impl InSlice<GLsizei> + ?Sized),
+    count: impl InSlice<GLsizei>,
     type_: GLenum,
-    indices: &(impl IndexLists + ?Sized),
+    indices: impl IndexLists,
     drawcount: GLsizei,
 ) {
     with!(glMultiDrawElements, cx => {

@@ -335,9 +335,9 @@ impl Context {
     pub fn multi_draw_elements(
         &mut self,
         mode: GLenum,
-        count: &(impl super::InSlice<i32> + ?Sized),
+        count: impl super::InSlice<i32>,
         type_: GLenum,
-        indices: &(impl IndexLists + ?Sized),
+        indices: impl IndexLists,
     ) {
         let count = count.slice();
         let drawcount = i32::try_from(count.len()).unwrap_or(i32::MAX);

@@ -70,10 +70,13 @@ pub(crate) mod vertex_array_objects;
 pub(crate) mod vertex_arrays;
 pub(crate) mod whole_vertex;
 
-pub use args::{Element, InSlice, IntoBool, IntoFloat, IntoInt, IntoSize, OutSlice};
+pub use args::{Element, InSlice, IntoGl, OutSlice};
 pub use config::Config;
 pub use errors::{DebugCallback, DebugMessage, Error};
-pub use pixels_arg::{ArrayData, ClientAddress, IndexLists, Indices, NULL, Null, Pixels, PixelsMut};
+pub use pixels_arg::{
+    ArrayData, ClientAddress, IndexLists, Indices, IntoArray, IntoIndices, IntoPixels, IntoPixelsMut, NULL, Null,
+    Pixels, PixelsMut,
+};
 pub use trace::{Call, TraceCallback};
 
 pub(crate) use params::Params;

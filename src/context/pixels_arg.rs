@@ -154,58 +154,96 @@ pub enum Indices<'a> {
     Bytes(Cow<'a, [u8]>),
 }
 
+macro_rules! conversions {
+    ($($(#[$meta:meta])* $trait:ident $(<$l:lifetime>)? $method:ident $to:ty;)*) => { $(
+        $(#[$meta])*
+        pub trait $trait $(<$l>)? {
+            /// The memory that the command reads or writes.
+            fn $method(self) -> $to;
+        }
+        impl $(<$l>)? $trait $(<$l>)? for $to {
+            fn $method(self) -> $to { self }
+        }
+    )* };
+}
+conversions! {
+    /// Pixels or other bytes that a command reads: a slice, a `Vec` or a (nested) array, by reference or by value, a string,
+    /// or [`NULL`].
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` is no memory that a command can read",
+        label = "a slice, a `Vec`, an array or `NULL` is needed",
+        note = "write `NULL` (or `None`) where C passes 0; structs go by `Pixels::of(&values)` (feature `bytemuck`)"
+    )]
+    IntoPixels<'a> into_pixels Pixels<'a>;
+    /// Memory that a command writes pixels to: a mutable reference to a slice, a `Vec` or a (nested) array, or [`NULL`].
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` is no memory that a command can write",
+        label = "`&mut` of a slice, a `Vec` or an array is needed",
+        note = "write `NULL` where C passes 0"
+    )]
+    IntoPixelsMut<'a> into_pixels_mut PixelsMut<'a>;
+    /// A vertex array: a slice, a `Vec` or a (nested) array, by reference or by value, an offset into the bound buffer
+    /// object, or [`NULL`].
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` is no vertex array",
+        label = "a slice, a `Vec`, an array, an offset into the bound buffer object or `NULL` is needed",
+        note = "structs go by `ArrayData::of(&vertices)` and `ArrayData::field(&vertices, offset_of!(Vertex, name))` \
+                (feature `bytemuck`)"
+    )]
+    IntoArray into_array ArrayData;
+    /// A list of indices: a slice, a `Vec` or an array, by reference or by value, an offset into the bound buffer object, or
+    /// [`NULL`].
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` is no list of indices",
+        label = "a slice, a `Vec`, an array, an offset into the bound buffer object or `NULL` is needed"
+    )]
+    IntoIndices<'a> into_indices Indices<'a>;
+}
+
 /// The lists of `MultiDrawElements`: a slice of slices, or of arrays, or of offsets into a buffer object.
 pub trait IndexLists {
     /// One index list for each primitive.
     fn lists(&self) -> Vec<Indices<'_>>;
 }
 
-impl<T> IndexLists for [T]
-where
-    for<'a> &'a T: Into<Indices<'a>>,
-{
-    fn lists(&self) -> Vec<Indices<'_>> {
-        self.iter().map(Into::into).collect()
-    }
+macro_rules! lists {
+    ($([$($generic:tt)*] $t:ty;)*) => { $(
+        impl<T $($generic)*> IndexLists for $t
+        where
+            for<'a> &'a T: IntoIndices<'a>,
+        {
+            fn lists(&self) -> Vec<Indices<'_>> {
+                self.iter().map(IntoIndices::into_indices).collect()
+            }
+        }
+    )* };
 }
-
-impl<T, const N: usize> IndexLists for [T; N]
-where
-    for<'a> &'a T: Into<Indices<'a>>,
-{
-    fn lists(&self) -> Vec<Indices<'_>> {
-        self.iter().map(Into::into).collect()
-    }
-}
-
-impl<T> IndexLists for Vec<T>
-where
-    for<'a> &'a T: Into<Indices<'a>>,
-{
-    fn lists(&self) -> Vec<Indices<'_>> {
-        self.iter().map(Into::into).collect()
-    }
-}
-
-/// The bytes of a slice of scalars.
-fn bytes<T: Element>(values: &[T]) -> &[u8] {
-    as_bytes(values)
+lists! {
+    [] [T];
+    [] &[T];
+    [] Vec<T>;
+    [] &Vec<T>;
+    [, const N: usize] [T; N];
+    [, const N: usize] &[T; N];
 }
 
 macro_rules! readable {
     ($([$($generic:tt)*] $t:ty: $v:ident => $slice:expr;)*) => {
         $(
-            impl<'a, T: Element $($generic)*> From<&'a $t> for Pixels<'a> {
-                fn from($v: &'a $t) -> Self { Pixels::Bytes(Cow::Borrowed(bytes($slice))) }
+            impl<'a, T: Element $($generic)*> IntoPixels<'a> for &'a $t {
+                fn into_pixels(self) -> Pixels<'a> { let $v = self; Pixels::Bytes(Cow::Borrowed(as_bytes($slice))) }
             }
-            impl<'a, T: Element $($generic)*> From<&'a $t> for Indices<'a> {
-                fn from($v: &'a $t) -> Self { Indices::Bytes(Cow::Borrowed(bytes($slice))) }
+            impl<'a, T: Element $($generic)*> IntoPixels<'a> for &'a mut $t {
+                fn into_pixels(self) -> Pixels<'a> { IntoPixels::into_pixels(&*self) }
             }
-            impl<T: Element $($generic)*> From<&$t> for ArrayData {
-                fn from($v: &$t) -> Self { ArrayData::copied(bytes($slice)) }
+            impl<'a, T: Element $($generic)*> IntoIndices<'a> for &'a $t {
+                fn into_indices(self) -> Indices<'a> { let $v = self; Indices::Bytes(Cow::Borrowed(as_bytes($slice))) }
             }
-            impl<'a, T: Element $($generic)*> From<&'a mut $t> for PixelsMut<'a> {
-                fn from($v: &'a mut $t) -> Self { PixelsMut::Bytes(as_bytes_mut($slice)) }
+            impl<T: Element $($generic)*> IntoArray for &$t {
+                fn into_array(self) -> ArrayData { let $v = self; ArrayData::copied(as_bytes($slice)) }
+            }
+            impl<'a, T: Element $($generic)*> IntoPixelsMut<'a> for &'a mut $t {
+                fn into_pixels_mut(self) -> PixelsMut<'a> { let $v = self; PixelsMut::Bytes(as_bytes_mut($slice)) }
             }
         )*
     };
@@ -220,6 +258,36 @@ readable! {
     [] Vec<T>: v => Flat::whole(v);
     [, const N: usize] Vec<[T; N]>: v => Flat::flat(Flat::whole(v));
     [, const N: usize, const M: usize] Vec<[[T; N]; M]>: v => Flat::flat(Flat::flat(Flat::whole(v)));
+}
+
+macro_rules! by_value {
+    ($([$($generic:tt)*] $t:ty;)*) => {
+        $(
+            impl<T: Element $($generic)*> IntoPixels<'_> for $t {
+                fn into_pixels(self) -> Pixels<'static> {
+                    let Pixels::Bytes(bytes) = IntoPixels::into_pixels(&self) else { return Pixels::Null };
+                    Pixels::Bytes(Cow::Owned(bytes.into_owned()))
+                }
+            }
+            impl<T: Element $($generic)*> IntoIndices<'_> for $t {
+                fn into_indices(self) -> Indices<'static> {
+                    let Indices::Bytes(bytes) = IntoIndices::into_indices(&self) else { return Indices::Offset(0) };
+                    Indices::Bytes(Cow::Owned(bytes.into_owned()))
+                }
+            }
+            impl<T: Element $($generic)*> IntoArray for $t {
+                fn into_array(self) -> ArrayData { IntoArray::into_array(&self) }
+            }
+        )*
+    };
+}
+by_value! {
+    [, const N: usize] [T; N];
+    [, const N: usize, const M: usize] [[T; N]; M];
+    [, const N: usize, const M: usize, const K: usize] [[[T; N]; M]; K];
+    [] Vec<T>;
+    [, const N: usize] Vec<[T; N]>;
+    [, const N: usize, const M: usize] Vec<[[T; N]; M]>;
 }
 
 /// Takes one level of nesting away from a shared or a mutable slice alike.
@@ -249,67 +317,97 @@ flats! {
     [T] &'a mut Vec<T>, &'a mut [T], &'a mut [T]: v => v, v;
 }
 
-macro_rules! nulls {
-    ($($t:ident $(<$l:lifetime>)?: $null:expr;)*) => {
-        $(
-            impl $(<$l>)? From<Null> for $t $(<$l>)? { fn from(_: Null) -> Self { $null } }
-        )*
-    };
+macro_rules! others {
+    ($($from:ty: $trait:ident $(<$l:lifetime>)? $method:ident $to:ty, $v:ident => $e:expr;)*) => { $(
+        impl $(<$l>)? $trait $(<$l>)? for $from {
+            fn $method(self) -> $to { let $v = self; $e }
+        }
+    )* };
 }
-nulls! {
-    Pixels<'a>: Pixels::Null;
-    PixelsMut<'a>: PixelsMut::Null;
-    ArrayData: ArrayData::Offset(0);
-    Indices<'a>: Indices::Offset(0);
+others! {
+    Null: IntoPixels<'a> into_pixels Pixels<'a>, _v => Pixels::Null;
+    &'a str: IntoPixels<'a> into_pixels Pixels<'a>, v => Pixels::Bytes(Cow::Borrowed(v.as_bytes()));
+    Option<&'a [u8]>: IntoPixels<'a> into_pixels Pixels<'a>,
+        v => v.map_or(Pixels::Null, |bytes| Pixels::Bytes(Cow::Borrowed(bytes)));
+    Null: IntoPixelsMut<'a> into_pixels_mut PixelsMut<'a>, _v => PixelsMut::Null;
+    Null: IntoArray into_array ArrayData, _v => ArrayData::Offset(0);
+    usize: IntoArray into_array ArrayData, v => ArrayData::Offset(v);
+    i32: IntoArray into_array ArrayData, v => ArrayData::Offset(v as usize);
+    Null: IntoIndices<'a> into_indices Indices<'a>, _v => Indices::Offset(0);
+    usize: IntoIndices<'a> into_indices Indices<'a>, v => Indices::Offset(v);
+    i32: IntoIndices<'a> into_indices Indices<'a>, v => Indices::Offset(v as usize);
+    &usize: IntoIndices<'a> into_indices Indices<'a>, v => Indices::Offset(*v);
 }
 
-impl<'a> From<&'a str> for Pixels<'a> {
-    fn from(text: &'a str) -> Self {
-        Pixels::Bytes(Cow::Borrowed(text.as_bytes()))
+impl<'a, T: Element> IntoIndices<'a> for &'a &[T] {
+    fn into_indices(self) -> Indices<'a> {
+        Indices::Bytes(Cow::Borrowed(as_bytes(self)))
     }
 }
 
-impl<'a> From<Option<&'a [u8]>> for Pixels<'a> {
-    fn from(bytes: Option<&'a [u8]>) -> Self {
-        bytes.map_or(Pixels::Null, |bytes| Pixels::Bytes(Cow::Borrowed(bytes)))
+#[cfg(feature = "bytemuck")]
+#[cfg_attr(docsrs, doc(cfg(feature = "bytemuck")))]
+impl<'a> Pixels<'a> {
+    /// The bytes of structs without padding, such as vertices for a buffer object.
+    pub fn of<V: bytemuck::NoUninit>(values: &'a [V]) -> Self {
+        Pixels::Bytes(Cow::Borrowed(bytemuck::cast_slice(values)))
     }
 }
 
-impl From<usize> for ArrayData {
-    fn from(offset: usize) -> Self {
-        ArrayData::Offset(offset)
+#[cfg(feature = "bytemuck")]
+#[cfg_attr(docsrs, doc(cfg(feature = "bytemuck")))]
+impl ArrayData {
+    /// An array of structs without padding (`#[repr(C)]`, or vectors of glam), interleaved: the stride is the size of one.
+    pub fn of<V: bytemuck::NoUninit>(vertices: &[V]) -> Self {
+        Self::field(vertices, 0)
+    }
+
+    /// The array of one field of such structs, from its place (`offset_of!(Vertex, normal)`) in the first of them on.
+    ///
+    /// ```
+    /// # use fixedgl::{Context, args::ArrayData, enums::*};
+    /// use std::mem::offset_of;
+    ///
+    /// #[repr(C)]
+    /// #[derive(Clone, Copy)] // and bytemuck::Pod, bytemuck::Zeroable (feature `derive` of that crate)
+    /// struct Vertex {
+    ///     position: [f32; 3],
+    ///     color: [u8; 4],
+    /// }
+    /// # unsafe impl bytemuck::Zeroable for Vertex {}
+    /// # unsafe impl bytemuck::Pod for Vertex {}
+    /// # let mut cx = Context::new(4, 4);
+    /// let vertices = vec![Vertex { position: [0.0; 3], color: [255; 4] }; 3];
+    /// let stride = size_of::<Vertex>();
+    /// cx.vertex_pointer(3, GL_FLOAT, stride, ArrayData::of(&vertices));
+    /// cx.color_pointer(4, GL_UNSIGNED_BYTE, stride, ArrayData::field(&vertices, offset_of!(Vertex, color)));
+    /// # cx.check().unwrap();
+    /// ```
+    pub fn field<V: bytemuck::NoUninit>(vertices: &[V], offset: usize) -> Self {
+        let bytes: &[u8] = bytemuck::cast_slice(vertices);
+        ArrayData::copied(bytes.get(offset..).unwrap_or_default())
     }
 }
 
-impl From<i32> for ArrayData {
-    fn from(offset: i32) -> Self {
-        ArrayData::Offset(offset as usize)
-    }
+#[cfg(feature = "bytemuck")]
+macro_rules! glam_arrays {
+    ($($t:ident)*) => { $(
+        impl IntoArray for &[glam::$t] {
+            fn into_array(self) -> ArrayData { ArrayData::of(self) }
+        }
+        impl IntoArray for &Vec<glam::$t> {
+            fn into_array(self) -> ArrayData { ArrayData::of(self) }
+        }
+        impl IntoArray for Vec<glam::$t> {
+            fn into_array(self) -> ArrayData { ArrayData::of(&self) }
+        }
+        impl<const N: usize> IntoArray for &[glam::$t; N] {
+            fn into_array(self) -> ArrayData { ArrayData::of(self) }
+        }
+    )* };
 }
-
-impl From<usize> for Indices<'_> {
-    fn from(offset: usize) -> Self {
-        Indices::Offset(offset)
-    }
-}
-
-impl From<i32> for Indices<'_> {
-    fn from(offset: i32) -> Self {
-        Indices::Offset(offset as usize)
-    }
-}
-
-impl From<&usize> for Indices<'_> {
-    fn from(offset: &usize) -> Self {
-        Indices::Offset(*offset)
-    }
-}
-
-impl<'a, T: Element> From<&'a &[T]> for Indices<'a> {
-    fn from(indices: &'a &[T]) -> Self {
-        Indices::Bytes(Cow::Borrowed(bytes(indices)))
-    }
-}
+#[cfg(feature = "bytemuck")]
+glam_arrays!(Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
 
 /// Bytes of one index of a type, if it is one.
 #[must_use]

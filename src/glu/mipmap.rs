@@ -9,7 +9,7 @@
 use super::grid::{Grid, Kernel};
 use super::pyramid::Pyramid;
 use super::scale::ImageError;
-use crate::context::{Context, NULL, Pixels};
+use crate::context::{Context, Pixels};
 use crate::enums::*;
 use crate::error::{invalid_enum, invalid_value};
 use crate::num::as_bytes;
@@ -227,7 +227,7 @@ fn fitting(cx: &mut Context, job: &MipmapJob<'_>, proxy: GLenum) -> [i32; 3] {
 #[track_caller]
 fn taken(cx: &mut Context, job: &MipmapJob<'_>, proxy: GLenum, size: [i32; 3]) -> bool {
     let probe = MipmapJob { target: proxy, data: &Pixels::Null, ..*job };
-    upload(cx, &probe, 0, size, job.type_, NULL.into());
+    upload(cx, &probe, 0, size, job.type_, Pixels::Null);
     let mut width = [0];
     cx.get_tex_level_parameteriv(proxy, 0, GL_TEXTURE_WIDTH, &mut width);
     width[0] != 0

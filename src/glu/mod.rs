@@ -34,7 +34,7 @@ pub(crate) use strings::{error_words, words};
 pub(crate) use tess::Polygon;
 pub use tess::{TessCallbacks, Tessellator};
 
-use crate::context::{Context, IntoInt, Pixels, PixelsMut};
+use crate::context::{Context, IntoGl, IntoPixels, IntoPixelsMut, PixelsMut};
 use crate::enums::GLenum;
 
 /// Defines the functions that build mipmaps.
@@ -47,13 +47,13 @@ macro_rules! mipmaps {
         pub fn $name<'a>(
             cx: &mut Context,
             target: GLenum,
-            internal_format: impl IntoInt,
+            internal_format: impl IntoGl<i32>,
             $($size: i32,)*
             format: GLenum,
             type_: GLenum,
-            data: impl Into<Pixels<'a>>,
+            data: impl IntoPixels<'a>,
         ) -> i32 {
-            let (size, internal_format, data) = (sizes([$($size),*]), internal_format.into_int(), &data.into());
+            let (size, internal_format, data) = (sizes([$($size),*]), internal_format.into_gl(), &data.into_pixels());
             let job = mipmap::MipmapJob { dimensions: $dims, target, internal_format, size, format, type_, data };
             mipmap::build(cx, stringify!($c_name), &job, None)
         }
@@ -63,14 +63,14 @@ macro_rules! mipmaps {
         pub fn $levels_name<'a>(
             cx: &mut Context,
             target: GLenum,
-            internal_format: impl IntoInt,
+            internal_format: impl IntoGl<i32>,
             $($size: i32,)*
             format: GLenum,
             type_: GLenum,
             levels: MipmapLevels,
-            data: impl Into<Pixels<'a>>,
+            data: impl IntoPixels<'a>,
         ) -> i32 {
-            let (size, internal_format, data) = (sizes([$($size),*]), internal_format.into_int(), &data.into());
+            let (size, internal_format, data) = (sizes([$($size),*]), internal_format.into_gl(), &data.into_pixels());
             let job = mipmap::MipmapJob { dimensions: $dims, target, internal_format, size, format, type_, data };
             mipmap::build(cx, stringify!($c_levels_name), &job, Some(levels))
         }
@@ -92,13 +92,13 @@ pub fn scale_image<'a, 'b>(
     width_in: i32,
     height_in: i32,
     type_in: GLenum,
-    data_in: impl Into<Pixels<'a>>,
+    data_in: impl IntoPixels<'a>,
     width_out: i32,
     height_out: i32,
     type_out: GLenum,
-    data_out: impl Into<PixelsMut<'b>>,
+    data_out: impl IntoPixelsMut<'b>,
 ) -> i32 {
-    let (input, mut output) = (data_in.into(), data_out.into());
+    let (input, mut output) = (data_in.into_pixels(), data_out.into_pixels_mut());
     let (unpack, pack) = (cx.engine.unpack_store(), cx.engine.pack_store());
     let from = scale::Side { size: [width_in, height_in], type_: type_in, store: &unpack };
     let to = scale::Side { size: [width_out, height_out], type_: type_out, store: &pack };

@@ -148,7 +148,7 @@ fn automatic_normals_are_perpendicular_to_the_surface() {
         gl.tex_geni(c, GL_TEXTURE_GEN_MODE, GL_NORMAL_MAP as i32);
     }
     gl.scalef(0.01, 0.01, 0.01);
-    for (u, v) in [(0.0, 0.0), (0.5, 0.25), (1.0, 1.0)] {
+    for (u, v) in [(0.0f64, 0.0f64), (0.5, 0.25), (1.0, 1.0)] {
         gl.matrix_mode(GL_MODELVIEW);
         let got = vertices(&mut gl, |gl| gl.eval_coord2d(u, v));
         // Before the modelview matrix, whose inverse transpose scales by 100.

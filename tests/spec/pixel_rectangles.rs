@@ -11,7 +11,7 @@ const SIZE: i32 = 32;
 /// A context with one unit of object coordinates a pixel.
 fn context() -> Context {
     let mut gl = Context::new(SIZE as u32, SIZE as u32);
-    gl.ortho(0.0, SIZE.into(), 0.0, SIZE.into(), -1.0, 1.0);
+    gl.ortho(0, SIZE, 0, SIZE, -1, 1);
     gl
 }
 

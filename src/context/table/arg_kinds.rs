@@ -4,85 +4,85 @@
 
 /// The type of an argument in the signature of a Rust door.
 macro_rules! door_ty {
-    (enum) => { $crate::enums::GLenum };
-    (unit) => { $crate::enums::GLenum };
-    (bits) => { $crate::enums::GLbitfield };
-    (uint) => { $crate::enums::GLuint };
-    (int) => { impl $crate::context::IntoInt };
-    (float) => { impl $crate::context::IntoFloat };
-    (bool) => { impl $crate::context::IntoBool };
-    (size) => { impl $crate::context::IntoSize };
-    ([$t:ty; $n:literal]) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
-    ((slice $t:ty : $($count:tt)*)) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
-    ((upto $t:ty : $($count:tt)*)) => { &(impl $crate::context::InSlice<$t> + ?Sized) };
+    (enum) => { impl $crate::context::IntoGl<$crate::enums::GLenum> };
+    (unit) => { impl $crate::context::IntoGl<$crate::enums::GLenum> };
+    (bits) => { impl $crate::context::IntoGl<$crate::enums::GLbitfield> };
+    (uint) => { impl $crate::context::IntoGl<$crate::enums::GLuint> };
+    (size) => { impl $crate::context::IntoGl<$crate::enums::GLsizeiptr> };
+    ([$t:ty; $n:literal]) => { impl $crate::context::InSlice<$t> };
+    ((slice $t:ty : $($count:tt)*)) => { impl $crate::context::InSlice<$t> };
+    ((upto $t:ty : $($count:tt)*)) => { impl $crate::context::InSlice<$t> };
     ((out $t:ty : $($count:tt)*)) => { &mut (impl $crate::context::OutSlice<$t> + ?Sized) };
-    ((rect $($size:expr),*)) => { impl Into<$crate::context::Pixels<'a>> };
-    ((bytes $size:expr)) => { impl Into<$crate::context::Pixels<'a>> };
-    ((rect_out $($size:expr),*)) => { impl Into<$crate::context::PixelsMut<'a>> };
-    ((tex_out $($size:expr),*)) => { impl Into<$crate::context::PixelsMut<'a>> };
-    ((bytes_out $size:expr)) => { impl Into<$crate::context::PixelsMut<'a>> };
-    ((imaging_out $($size:expr),*)) => { impl Into<$crate::context::PixelsMut<'a>> };
-    (array) => { impl Into<$crate::context::ArrayData> };
-    ((indices $count:ident, $type:ident)) => { impl Into<$crate::context::Indices<'a>> };
-    (index_lists) => { &(impl $crate::context::IndexLists + ?Sized) };
-    ($t:ident) => { $t };
+    ((rect $($size:expr),*)) => { impl $crate::context::IntoPixels<'a> };
+    ((bytes $size:expr)) => { impl $crate::context::IntoPixels<'a> };
+    ((rect_out $($size:expr),*)) => { impl $crate::context::IntoPixelsMut<'a> };
+    ((tex_out $($size:expr),*)) => { impl $crate::context::IntoPixelsMut<'a> };
+    ((bytes_out $size:expr)) => { impl $crate::context::IntoPixelsMut<'a> };
+    ((imaging_out $($size:expr),*)) => { impl $crate::context::IntoPixelsMut<'a> };
+    (array) => { impl $crate::context::IntoArray };
+    ((indices $count:ident, $type:ident)) => { impl $crate::context::IntoIndices<'a> };
+    (index_lists) => { impl $crate::context::IndexLists };
+    ($t:ident) => { impl $crate::context::IntoGl<$t> };
 }
 
 /// An argument of a door as one plain value: the only place where the conversions of the doors happen.
 macro_rules! plain {
-    (int, $a:ident) => {
-        $crate::context::IntoInt::into_int($a)
+    (enum, $a:ident) => {
+        $crate::context::IntoGl::<u32>::into_gl($a)
     };
-    (float, $a:ident) => {
-        $crate::context::IntoFloat::into_float($a)
+    (unit, $a:ident) => {
+        $crate::context::IntoGl::<u32>::into_gl($a)
     };
-    (bool, $a:ident) => {
-        $crate::context::IntoBool::into_bool($a)
+    (bits, $a:ident) => {
+        $crate::context::IntoGl::<u32>::into_gl($a)
+    };
+    (uint, $a:ident) => {
+        $crate::context::IntoGl::<u32>::into_gl($a)
     };
     (size, $a:ident) => {
-        $crate::context::IntoSize::into_size($a)
+        $crate::context::IntoGl::<isize>::into_gl($a)
     };
     ([$t:ty; $n:literal], $a:ident) => {
-        $crate::context::InSlice::<$t>::slice($a)
+        $crate::context::InSlice::<$t>::slice(&$a)
     };
     ((slice $t:ty : $($count:tt)*), $a:ident) => {
-        $crate::context::InSlice::<$t>::slice($a)
+        $crate::context::InSlice::<$t>::slice(&$a)
     };
     ((upto $t:ty : $($count:tt)*), $a:ident) => {
-        $crate::context::InSlice::<$t>::slice($a)
+        $crate::context::InSlice::<$t>::slice(&$a)
     };
     ((out $t:ty : $($count:tt)*), $a:ident) => {
         $crate::context::OutSlice::<$t>::slice_mut($a)
     };
     ((rect $($size:expr),*), $a:ident) => {
-        Into::<$crate::context::Pixels<'_>>::into($a)
+        $crate::context::IntoPixels::into_pixels($a)
     };
     ((bytes $size:expr), $a:ident) => {
-        Into::<$crate::context::Pixels<'_>>::into($a)
+        $crate::context::IntoPixels::into_pixels($a)
     };
     ((rect_out $($size:expr),*), $a:ident) => {
-        Into::<$crate::context::PixelsMut<'_>>::into($a)
+        $crate::context::IntoPixelsMut::into_pixels_mut($a)
     };
     ((tex_out $($size:expr),*), $a:ident) => {
-        Into::<$crate::context::PixelsMut<'_>>::into($a)
+        $crate::context::IntoPixelsMut::into_pixels_mut($a)
     };
     ((bytes_out $size:expr), $a:ident) => {
-        Into::<$crate::context::PixelsMut<'_>>::into($a)
+        $crate::context::IntoPixelsMut::into_pixels_mut($a)
     };
     ((imaging_out $($size:expr),*), $a:ident) => {
-        Into::<$crate::context::PixelsMut<'_>>::into($a)
+        $crate::context::IntoPixelsMut::into_pixels_mut($a)
     };
     (array, $a:ident) => {
-        Into::<$crate::context::ArrayData>::into($a)
+        $crate::context::IntoArray::into_array($a)
     };
     ((indices $count:ident, $type:ident), $a:ident) => {
-        Into::<$crate::context::Indices<'_>>::into($a)
+        $crate::context::IntoIndices::into_indices($a)
     };
     (index_lists, $a:ident) => {
-        $crate::context::IndexLists::lists($a)
+        $crate::context::IndexLists::lists(&$a)
     };
-    ($k:tt, $a:ident) => {
-        $a
+    ($t:ident, $a:ident) => {
+        $crate::context::IntoGl::<$t>::into_gl($a)
     };
 }
 
@@ -174,8 +174,6 @@ macro_rules! engine_ty {
     (enum) => { u32 };
     (bits) => { u32 };
     (uint) => { u32 };
-    (int) => { i32 };
-    (float) => { f32 };
     (size) => { isize };
     ({$t:ty}) => { $t };
     (params) => { &$crate::context::Params };
@@ -201,8 +199,6 @@ macro_rules! owned_ty {
     (enum) => { u32 };
     (bits) => { u32 };
     (uint) => { u32 };
-    (int) => { i32 };
-    (float) => { f32 };
     (size) => { isize };
     ({$t:ty}) => { $t };
     (params) => { $crate::context::Params };

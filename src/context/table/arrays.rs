@@ -71,9 +71,9 @@ macro_rules! arrays_table { ($generate:ident) => { $generate! {
         /// Takes the promise of LockArrays back.
         now glUnlockArraysEXT unlock_arrays();
         /// Sets how pixels lie in memory (section 3.6.1). `INVALID_VALUE` for numbers out of range.
-        now glPixelStorei pixel_storei(pname: enum, param: int);
+        now glPixelStorei pixel_storei(pname: enum, param: i32);
         /// Sets how pixels lie in memory (section 3.6.1). `INVALID_VALUE` for numbers out of range.
-        now glPixelStoref pixel_storef(pname: enum, param: float);
+        now glPixelStoref pixel_storef(pname: enum, param: f32);
         /// Binds a buffer object and makes it if it is new (section 2.9).
         now glBindBuffer | glBindBufferARB bind_buffer(target: enum, buffer: uint);
         /// Deletes buffer objects; names that do not exist and 0 are ignored (section 2.9).

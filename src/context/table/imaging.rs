@@ -55,8 +55,8 @@ macro_rules! imaging_table { ($generate:ident) => { $generate! {
                 => color_table_parameter(target, pname, &Params::floats(params));
         }
         family "Sets scale, bias or border of convolution (section 3.6.3)." {
-            list glConvolutionParameteri | glConvolutionParameteriEXT convolution_parameteri(target: enum, pname: enum, param: int) => convolution_parameter(target, pname, &Params::int(param));
-            list glConvolutionParameterf | glConvolutionParameterfEXT convolution_parameterf(target: enum, pname: enum, param: float) => convolution_parameter(target, pname, &Params::float(param));
+            list glConvolutionParameteri | glConvolutionParameteriEXT convolution_parameteri(target: enum, pname: enum, param: i32) => convolution_parameter(target, pname, &Params::int(param));
+            list glConvolutionParameterf | glConvolutionParameterfEXT convolution_parameterf(target: enum, pname: enum, param: f32) => convolution_parameter(target, pname, &Params::float(param));
             list glConvolutionParameteriv | glConvolutionParameterivEXT convolution_parameteriv(target: enum, pname: enum, params: (upto i32: imaging_parameter(pname))) => convolution_parameter(target, pname, &Params::ints(params));
             list glConvolutionParameterfv | glConvolutionParameterfvEXT convolution_parameterfv(target: enum, pname: enum, params: (upto f32: imaging_parameter(pname))) => convolution_parameter(target, pname, &Params::floats(params));
         }

@@ -20,28 +20,28 @@ macro_rules! lighting_table { ($generate:ident) => { $generate! {
     }
     forms {
         family "Sets a parameter of a light (section 2.14.1); positions and directions are transformed by the modelview matrix. `INVALID_ENUM` for other lights and names, `INVALID_VALUE` for numbers out of range." {
-            list glLighti lighti(light: enum, pname: enum, param: int) => light(light, pname, &Params::int(param));
-            list glLightf lightf(light: enum, pname: enum, param: float) => light(light, pname, &Params::float(param));
+            list glLighti lighti(light: enum, pname: enum, param: i32) => light(light, pname, &Params::int(param));
+            list glLightf lightf(light: enum, pname: enum, param: f32) => light(light, pname, &Params::float(param));
             list glLightiv lightiv(light: enum, pname: enum, params: (upto i32: light(pname))) => light(light, pname, &Params::ints(params));
             #[doc = include_str!("examples/light.md")]
             list glLightfv lightfv(light: enum, pname: enum, params: (upto f32: light(pname))) => light(light, pname, &Params::floats(params));
         }
         family "Sets a parameter of the lighting model (section 2.14.1)." {
-            list glLightModeli light_modeli(pname: enum, param: int) => light_model(pname, &Params::int(param));
-            list glLightModelf light_modelf(pname: enum, param: float) => light_model(pname, &Params::float(param));
+            list glLightModeli light_modeli(pname: enum, param: i32) => light_model(pname, &Params::int(param));
+            list glLightModelf light_modelf(pname: enum, param: f32) => light_model(pname, &Params::float(param));
             list glLightModeliv light_modeliv(pname: enum, params: (upto i32: light_model(pname))) => light_model(pname, &Params::ints(params));
             list glLightModelfv light_modelfv(pname: enum, params: (upto f32: light_model(pname))) => light_model(pname, &Params::floats(params));
         }
         family "Sets a parameter of the material (section 2.14.1), also between Begin and End. `INVALID_VALUE` for a shininess outside [0, 128]." {
-            begin glMateriali materiali(face: enum, pname: enum, param: int) => material(face, pname, &Params::int(param));
-            begin glMaterialf materialf(face: enum, pname: enum, param: float) => material(face, pname, &Params::float(param));
+            begin glMateriali materiali(face: enum, pname: enum, param: i32) => material(face, pname, &Params::int(param));
+            begin glMaterialf materialf(face: enum, pname: enum, param: f32) => material(face, pname, &Params::float(param));
             begin glMaterialiv materialiv(face: enum, pname: enum, params: (upto i32: material(pname))) => material(face, pname, &Params::ints(params));
             #[doc = include_str!("examples/material.md")]
             begin glMaterialfv materialfv(face: enum, pname: enum, params: (upto f32: material(pname))) => material(face, pname, &Params::floats(params));
         }
         family "Sets a parameter of the fog (section 3.10). `INVALID_VALUE` for a negative density." {
-            list glFogi fogi(pname: enum, param: int) => fog(pname, &Params::int(param));
-            list glFogf fogf(pname: enum, param: float) => fog(pname, &Params::float(param));
+            list glFogi fogi(pname: enum, param: i32) => fog(pname, &Params::int(param));
+            list glFogf fogf(pname: enum, param: f32) => fog(pname, &Params::float(param));
             list glFogiv fogiv(pname: enum, params: (upto i32: fog(pname))) => fog(pname, &Params::ints(params));
             list glFogfv fogfv(pname: enum, params: (upto f32: fog(pname))) => fog(pname, &Params::floats(params));
         }

@@ -21,7 +21,7 @@
 //! (client state); `now` is never recorded.
 //!
 //! # Kinds of arguments (see `arg_kinds.rs`)
-//! `enum`, `bits`, `uint`, Rust's scalars, `int`, `float`, `bool` and `size` (doors take what C would convert); `[f32; 4]` a vector of
+//! `enum`, `bits`, `uint`, `size` and Rust's scalars (doors take what C would convert to them); `[f32; 4]` a vector of
 //! fixed length; `(slice u32: count(n))` and `(out u32: count(n))` with a count from `param_counts.rs`, `(upto f32:
 //! light(pname))` the same where the engine checks how many there are, after the arguments that are an error of their own; `(rect [w, h],
 //! format, type)` pixels under the unpack state and `(rect_out ..)` under the pack state; `(bytes n)`; `array` a vertex

@@ -23,8 +23,8 @@ macro_rules! pixels_table { ($generate:ident) => { $generate! {
     }
     forms {
         family "Sets scale, bias, shift, offset or mapping of pixel transfer (section 3.6.3)." {
-            list glPixelTransferi pixel_transferi(pname: enum, param: int) => pixel_transfer(pname, &Params::int(param));
-            list glPixelTransferf pixel_transferf(pname: enum, param: float) => pixel_transfer(pname, &Params::float(param));
+            list glPixelTransferi pixel_transferi(pname: enum, param: i32) => pixel_transfer(pname, &Params::int(param));
+            list glPixelTransferf pixel_transferf(pname: enum, param: f32) => pixel_transfer(pname, &Params::float(param));
         }
         family "Sets a table of pixel transfer (section 3.6.3). `INVALID_VALUE` for sizes that are not positive, too large or, for index maps, no power of two." {
             list glPixelMapfv pixel_mapfv(map: enum, mapsize: i32, values: (upto f32: pixel_map(mapsize)))

@@ -33,8 +33,8 @@ macro_rules! raster_table { ($generate:ident) => { $generate! {
     }
     forms {
         family "Sets how the size of points follows their distance (section 3.3). `INVALID_VALUE` for a negative number." {
-            list glPointParameteri point_parameteri(pname: enum, param: int) => point_parameter(pname, &Params::int(param));
-            list glPointParameterf | glPointParameterfARB | glPointParameterfEXT point_parameterf(pname: enum, param: float) => point_parameter(pname, &Params::float(param));
+            list glPointParameteri point_parameteri(pname: enum, param: i32) => point_parameter(pname, &Params::int(param));
+            list glPointParameterf | glPointParameterfARB | glPointParameterfEXT point_parameterf(pname: enum, param: f32) => point_parameter(pname, &Params::float(param));
             list glPointParameteriv point_parameteriv(pname: enum, params: (upto i32: point_parameter(pname))) => point_parameter(pname, &Params::ints(params));
             list glPointParameterfv | glPointParameterfvARB | glPointParameterfvEXT point_parameterfv(pname: enum, params: (upto f32: point_parameter(pname))) => point_parameter(pname, &Params::floats(params));
         }

@@ -11,16 +11,16 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
         /// Specifies a one-dimensional texture image (section 3.8.1). `INVALID_ENUM` for other targets, formats and types,
         /// `INVALID_VALUE` for levels, sizes, borders and internal formats that do not exist, `INVALID_OPERATION` for
         /// formats that do not fit the type or the internal format. A proxy target only asks whether it would fit.
-        proxy glTexImage1D tex_image_1d(target: enum, level: i32, internal_format: int, width: i32, border: i32,
+        proxy glTexImage1D tex_image_1d(target: enum, level: i32, internal_format: i32, width: i32, border: i32,
             format: enum, type_: enum, pixels: (rect [width, 1], format, type_));
         /// Specifies a two-dimensional texture image, a face of a cube map or a rectangle texture (section 3.8.1). Errors
         /// as for the one-dimensional image. A proxy target only asks whether it would fit.
         #[doc = include_str!("examples/tex_image_2d.md")]
-        proxy glTexImage2D tex_image_2d(target: enum, level: i32, internal_format: int, width: i32, height: i32,
+        proxy glTexImage2D tex_image_2d(target: enum, level: i32, internal_format: i32, width: i32, height: i32,
             border: i32, format: enum, type_: enum, pixels: (rect [width, height], format, type_));
         /// Specifies a three-dimensional texture image (section 3.8.1). Errors as for the one-dimensional image. A proxy
         /// target only asks whether it would fit.
-        proxy glTexImage3D | glTexImage3DEXT tex_image_3d(target: enum, level: i32, internal_format: int, width: i32,
+        proxy glTexImage3D | glTexImage3DEXT tex_image_3d(target: enum, level: i32, internal_format: i32, width: i32,
             height: i32, depth: i32, border: i32, format: enum, type_: enum,
             pixels: (rect [width, height, depth], format, type_));
         /// Replaces a part of a one-dimensional texture image (section 3.8.2). `INVALID_OPERATION` if there is no image,
@@ -84,15 +84,15 @@ macro_rules! texture_table { ($generate:ident) => { $generate! {
     forms {
         family "Sets how a texture is filtered, wrapped and compared (section 3.8.4). `INVALID_ENUM` for other targets, names and values, `INVALID_VALUE` for negative levels." {
             #[doc = include_str!("examples/tex_parameter.md")]
-            list glTexParameteri tex_parameteri(target: enum, pname: enum, param: int) => tex_parameter(target, pname, &Params::int(param));
-            list glTexParameterf tex_parameterf(target: enum, pname: enum, param: float) => tex_parameter(target, pname, &Params::float(param));
+            list glTexParameteri tex_parameteri(target: enum, pname: enum, param: i32) => tex_parameter(target, pname, &Params::int(param));
+            list glTexParameterf tex_parameterf(target: enum, pname: enum, param: f32) => tex_parameter(target, pname, &Params::float(param));
             list glTexParameteriv tex_parameteriv(target: enum, pname: enum, params: (upto i32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::ints(params));
             list glTexParameterfv tex_parameterfv(target: enum, pname: enum, params: (upto f32: tex_parameter(pname))) => tex_parameter(target, pname, &Params::floats(params));
         }
         family "Sets the environment of the active texture unit: function, colour, combiners, LOD bias, point sprites (section 3.8.13). `INVALID_ENUM` for other targets, names and values." {
             #[doc = include_str!("examples/tex_env.md")]
-            list glTexEnvi tex_envi(target: enum, pname: enum, param: int) => tex_env(target, pname, &Params::int(param));
-            list glTexEnvf tex_envf(target: enum, pname: enum, param: float) => tex_env(target, pname, &Params::float(param));
+            list glTexEnvi tex_envi(target: enum, pname: enum, param: i32) => tex_env(target, pname, &Params::int(param));
+            list glTexEnvf tex_envf(target: enum, pname: enum, param: f32) => tex_env(target, pname, &Params::float(param));
             list glTexEnviv tex_enviv(target: enum, pname: enum, params: (upto i32: tex_env(pname))) => tex_env(target, pname, &Params::ints(params));
             list glTexEnvfv tex_envfv(target: enum, pname: enum, params: (upto f32: tex_env(pname))) => tex_env(target, pname, &Params::floats(params));
         }

@@ -75,8 +75,8 @@ macro_rules! transform_table { ($generate:ident) => { $generate! {
         }
         family "Sets how a texture coordinate is generated (section 2.11.4): mode, object plane or eye plane of `S`, `T`, `R` or `Q`. `INVALID_ENUM` for other names, modes that the coordinate does not have, and planes through a scalar form." {
             #[doc = include_str!("examples/tex_gen.md")]
-            list glTexGeni tex_geni(coord: enum, pname: enum, param: int) => tex_gen(coord, pname, &Params::int(param));
-            list glTexGenf tex_genf(coord: enum, pname: enum, param: float) => tex_gen(coord, pname, &Params::float(param));
+            list glTexGeni tex_geni(coord: enum, pname: enum, param: i32) => tex_gen(coord, pname, &Params::int(param));
+            list glTexGenf tex_genf(coord: enum, pname: enum, param: f32) => tex_gen(coord, pname, &Params::float(param));
             list glTexGend tex_gend(coord: enum, pname: enum, param: f64)
                 => tex_gen(coord, pname, &Params::float(param as f32));
             list glTexGeniv tex_geniv(coord: enum, pname: enum, params: (upto i32: tex_gen(pname)))
