@@ -73,7 +73,7 @@ fn between_begin_and_end() {
 fn every_enumerant_that_enable_does_not_know() {
     let mut cx = Context::new(4, 4);
     let mut taken = 0;
-    for cap in (0..0x9000).chain([0xFFFF_FFFF, 0x8000_0000]) {
+    for cap in (0..0x9000u32).chain([0xFFFF_FFFF, 0x8000_0000]) {
         cx.enable(cap);
         match cx.get_error() {
             0 => taken += 1,
