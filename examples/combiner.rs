@@ -50,7 +50,7 @@ fn dome(x: f32, y: f32) -> [GLubyte; 3] {
 fn square(i: usize, color: Option<[GLubyte; 3]>) {
     let (x, y) = ((i % 4) as f32 + 0.03, (1 - i / 4) as f32 + 0.03);
     glBegin(GL_QUADS);
-    for [s, t] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+    for [s, t] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
         match color {
             Some(color) => glColor3ubv(&color),
             None => glColor3f(0.6 - 0.3 * t, 0.2 + 0.6 * t, 0.25),

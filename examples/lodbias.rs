@@ -30,7 +30,7 @@ pub(crate) fn draw() {
     glClearColor(0.5, 0.65, 0.85, 1.0);
     glClear(GL_COLOR_BUFFER_BIT);
     let width = SIZE[0] as GLsizei / 5;
-    for (i, bias) in [-2.0, -1.0, 0.0, 2.0, 4.0].into_iter().enumerate() {
+    for (i, bias) in [-2.0f32, -1.0, 0.0, 2.0, 4.0].into_iter().enumerate() {
         glViewport(i as GLint * width + 2, 2, width - 4, SIZE[1] as GLsizei - 4);
         glMatrixMode(GL_PROJECTION);
         glLoadIdentity();
@@ -40,8 +40,8 @@ pub(crate) fn draw() {
         glRotatef(15.0, 1.0, 0.0, 0.0);
         glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, bias);
         glBegin(GL_QUADS);
-        for (s, x) in [(0.0, -20.0), (1.0, 20.0)] {
-            for z in if s == 0.0 { [0.0, -80.0] } else { [-80.0, 0.0] } {
+        for (s, x) in [(0.0f32, -20.0), (1.0, 20.0)] {
+            for z in if s == 0.0 { [0.0f32, -80.0] } else { [-80.0, 0.0] } {
                 glTexCoord2f(s * 10.0, z / 4.0);
                 glVertex3f(x, -1.5, z);
             }

@@ -29,7 +29,7 @@ fn texture(unit: GLenum, size: GLsizei, image: &Image, wrap: GLenum) {
 
 fn quad(x: f32) {
     glBegin(GL_QUADS);
-    for [s, t] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+    for [s, t] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
         glMultiTexCoord2f(GL_TEXTURE0, 2.0 * s, 2.0 * t);
         glMultiTexCoord2f(GL_TEXTURE1, s, t);
         glVertex2f(x + 0.9 * s, 0.05 + 0.9 * t);
@@ -48,7 +48,7 @@ pub(crate) fn draw() {
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
     glClear(GL_COLOR_BUFFER_BIT);
-    for (x, wall, light) in [(0.05, true, false), (1.05, false, true), (2.05, true, true)] {
+    for (x, wall, light) in [(0.05f32, true, false), (1.05, false, true), (2.05, true, true)] {
         for (unit, on) in [(GL_TEXTURE0, wall), (GL_TEXTURE1, light)] {
             glActiveTexture(unit);
             if on {

@@ -66,7 +66,7 @@ fn show_map() {
     glPushMatrix();
     glLoadIdentity();
     glBegin(GL_QUADS);
-    for [s, t] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+    for [s, t] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
         glTexCoord2f(s, t);
         glVertex2f(8.0 + 96.0 * s, 8.0 + 96.0 * t);
     }

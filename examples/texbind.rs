@@ -37,7 +37,7 @@ fn init() -> [GLuint; 2] {
 
 fn square(corners: [[f32; 3]; 4]) {
     glBegin(GL_QUADS);
-    for ([s, t], corner) in [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]].into_iter().zip(&corners) {
+    for ([s, t], corner) in [[0.0f32, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]].into_iter().zip(&corners) {
         glTexCoord2f(s, t);
         glVertex3fv(corner);
     }

@@ -65,7 +65,7 @@ pub(crate) fn draw() {
             glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);
             let (x, y) = (column as f32 + 0.05, row as f32 + 0.05);
             glBegin(GL_QUADS);
-            for [s, t] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+            for [s, t] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
                 glColor4f(0.9 - 0.7 * t, 0.8 - 0.5 * t, 0.2 + 0.7 * t, 0.5 + 0.5 * s);
                 glTexCoord2f(s, t);
                 glVertex2f(x + 0.9 * s, y + 0.9 * t);

@@ -38,7 +38,7 @@ fn volume(size: usize, texel: impl Fn([f64; 3]) -> [GLubyte; 3]) -> GLuint {
 /// A square with its own texture coordinates at the four corners.
 fn square(x: f32, corners: [[f32; 3]; 4]) {
     glBegin(GL_QUADS);
-    for ([dx, dy], tex) in [[0.0, 0.0], [0.0, 2.0], [1.1, 2.0], [1.1, 0.0]].into_iter().zip(&corners) {
+    for ([dx, dy], tex) in [[0.0f32, 0.0], [0.0, 2.0], [1.1, 2.0], [1.1, 0.0]].into_iter().zip(&corners) {
         glTexCoord3fv(tex);
         glVertex3f(x + dx, dy - 1.0, 0.0);
     }

@@ -61,7 +61,7 @@ pub(crate) fn draw() {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
         let (x, y) = ((i % 3) as f32 + 0.03, (i / 3) as f32 + 0.03);
         glBegin(GL_QUADS);
-        for [a, b] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+        for [a, b] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
             glTexCoord2f(3.0 * a - 1.0, 3.0 * b - 1.0);
             glVertex2f(x + 0.94 * a, y + 0.94 * b);
         }

@@ -206,7 +206,7 @@ fn units(options: &Options) {
         }
         let cost = least(&mut stage, |stage| {
             stage.gl.begin(GL_QUADS);
-            for [x, y] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+            for [x, y] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
                 for unit in 0..units {
                     // 0.4 to 0.5 texels a pixel, no two units alike.
                     let scale = 1.8 + 0.02 * unit as f32;

@@ -221,7 +221,7 @@ pub fn upload_by_glu(s: &mut Stage) {
 /// What needs the texture, so that an upload cannot be left out.
 fn small_triangle(s: &mut Stage) {
     s.gl.begin(GL_TRIANGLES);
-    for [x, y] in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]] {
+    for [x, y] in [[0.0f32, 0.0], [1.0, 0.0], [0.0, 1.0]] {
         s.gl.tex_coord2f(x, y);
         s.gl.vertex3f(8.0 * x, 8.0 * y, 0.0);
     }

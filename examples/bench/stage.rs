@@ -172,7 +172,7 @@ impl Stage {
         let side = self.size as f32;
         let [s, t] = self.slopes;
         self.gl.begin(GL_QUADS);
-        for ([x, y], [r, g, b, a]) in [[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]].into_iter().zip(COLORS) {
+        for ([x, y], [r, g, b, a]) in [[0.0f32, 0.0], [side, 0.0], [side, side], [0.0, side]].into_iter().zip(COLORS) {
             if self.colored {
                 self.gl.color4f(r, g, b, a);
             }
@@ -228,7 +228,7 @@ impl Stage {
     /// A plane from under the viewer to the horizon.
     pub fn ground(&mut self) {
         self.gl.begin(GL_QUADS);
-        for [x, z] in [[-600.0, 6.0], [600.0, 6.0], [600.0, -600.0], [-600.0, -600.0]] {
+        for [x, z] in [[-600.0f32, 6.0], [600.0, 6.0], [600.0, -600.0], [-600.0, -600.0]] {
             self.gl.tex_coord2f(0.25 * x, 0.25 * z);
             if self.units > 1 {
                 self.gl.multi_tex_coord2f(GL_TEXTURE1, x / 64.0, z / 64.0);

@@ -130,7 +130,7 @@ impl Stage {
         let side = self.size as f32;
         let y = (8 * shape.place % self.size as usize) as f32;
         self.gl.begin(GL_QUADS);
-        for (corner, at) in [[0.0, y], [side, y], [side, y + 8.0], [0.0, y + 8.0]].into_iter().enumerate() {
+        for (corner, at) in [[0.0f32, y], [side, y], [side, y + 8.0], [0.0, y + 8.0]].into_iter().enumerate() {
             self.corner(shape, corner, at, alpha);
         }
         self.gl.end();
@@ -278,7 +278,7 @@ fn own_size(s: &mut Stage) {
         [GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR].into_iter().enumerate()
     {
         s.texture(Tex { size: 64, min, ..Tex::default() });
-        for (i, texels) in [1.0, 2.0, 0.999, 1.001, 2.001, 1.5, 4.0].into_iter().enumerate() {
+        for (i, texels) in [1.0f32, 2.0, 0.999, 1.001, 2.001, 1.5, 4.0].into_iter().enumerate() {
             s.turn(texels / 64.0, if i == 5 { 30.0 } else { 0.0 });
             s.gl.enable(GL_SCISSOR_TEST);
             s.gl.scissor(0, 64 * place as i32 + 9 * i as i32, 192, 9);
@@ -299,7 +299,7 @@ fn cube(s: &mut Stage, by_elements: bool) {
     ];
     if s.vertices.is_empty() {
         for (f, [n, a, b]) in FACES.into_iter().enumerate() {
-            for [u, v] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+            for [u, v] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
                 let p = [0, 1, 2].map(|k| n[k] + (2.0 * u - 1.0) * a[k] + (2.0 * v - 1.0) * b[k]);
                 s.vertices.push([p[0], p[1], p[2], n[0], n[1], n[2], u, v]);
             }
@@ -386,7 +386,7 @@ fn sprites(s: &mut Stage, side: f32, count: usize) {
         for i in 0..count {
             let [x, y] = [0, 1].map(|k| (any(2 * i + k) * (s.size as f32 - side)).floor() + 0.25 * (i % 2) as f32);
             color(&mut s.gl, i, 0.9);
-            for [u, v] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+            for [u, v] in [[0.0f32, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
                 s.gl.tex_coord2f(u, v);
                 s.gl.vertex2f(x + side * u, y + side * v);
             }
@@ -530,7 +530,7 @@ fn points(s: &mut Stage, smooth: bool) {
     s.gl.enable(GL_BLEND);
     s.gl.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     s.depth(GL_LESS);
-    for (i, size) in [1.0, 5.0, 6.5, 20.0].into_iter().enumerate() {
+    for (i, size) in [1.0f32, 5.0, 6.5, 20.0].into_iter().enumerate() {
         s.gl.point_size(size);
         s.gl.begin(GL_POINTS);
         for k in 0..150 {
@@ -549,7 +549,7 @@ fn lines(s: &mut Stage, capability: GLenum) {
     s.gl.line_stipple(2, 0x3F27);
     s.gl.enable(GL_BLEND);
     s.gl.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    for (i, width) in [1.0, 1.5, 6.0].into_iter().enumerate() {
+    for (i, width) in [1.0f32, 1.5, 6.0].into_iter().enumerate() {
         s.gl.line_width(width);
         for (mode, count) in [(GL_LINES, 120), (GL_LINE_STRIP, 20)] {
             s.gl.begin(mode);
@@ -625,7 +625,7 @@ fn mirror(s: &mut Stage) {
     eye(s, 5.0, 30.0);
     let floor = |s: &mut Stage, alpha: f32| {
         s.gl.begin(GL_QUADS);
-        for [x, z] in [[-2.0, -2.0], [-2.0, 2.0], [2.0, 2.0], [2.0, -2.0]] {
+        for [x, z] in [[-2.0f32, -2.0], [-2.0, 2.0], [2.0, 2.0], [2.0, -2.0]] {
             s.gl.color4f(0.5 + 0.2 * x, 0.6, 0.5 + 0.1 * z, alpha);
             s.gl.vertex3f(x, 0.0, z);
         }
