@@ -278,7 +278,7 @@ fn own_size(s: &mut Stage) {
         [GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR].into_iter().enumerate()
     {
         s.texture(Tex { size: 64, min, ..Tex::default() });
-        for (i, texels) in [1.0f32, 2.0, 0.999, 1.001, 2.001, 1.5, 4.0].into_iter().enumerate() {
+        for (i, texels) in [1.0, 2.0, 0.999, 1.001, 2.001, 1.5, 4.0].into_iter().enumerate() {
             s.turn(texels / 64.0, if i == 5 { 30.0 } else { 0.0 });
             s.gl.enable(GL_SCISSOR_TEST);
             s.gl.scissor(0, 64 * place as i32 + 9 * i as i32, 192, 9);
