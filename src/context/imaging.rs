@@ -9,7 +9,9 @@
 
 use super::Pixels;
 use super::engine::Engine;
-use super::imaging_tables::{COLUMN, Histogram};
+#[cfg(feature = "capi")]
+use super::imaging_tables::COLUMN;
+use super::imaging_tables::Histogram;
 use super::pixels_arg::try_copy;
 use crate::enums::*;
 use crate::error::{Outcome, out_of_memory};
@@ -42,6 +44,7 @@ fn multiply(colors: &mut [[f32; 4]], matrix: &DMat4) {
 
 impl Engine {
     /// Width and height of what a query of a target writes.
+    #[cfg(feature = "capi")]
     pub(crate) fn imaging_size(&self, target: GLenum) -> [i32; 2] {
         let size = if target == COLUMN {
             self.imaging.column.size

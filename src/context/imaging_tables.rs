@@ -6,6 +6,7 @@ use crate::state::imaging::{FilterTarget, TableTarget};
 use crate::texture::format::{BaseFormat, InternalFormat};
 
 /// Stands for the column of the separable filter where a size is asked for by its target.
+#[cfg(feature = "capi")]
 pub(crate) const COLUMN: GLenum = u32::MAX;
 
 /// Which components a base format has, where its luminance or intensity stands for several.

@@ -13,6 +13,7 @@ pub(crate) fn count(n: i32) -> usize {
 }
 
 /// A size in bytes: a negative one counts nothing.
+#[cfg(feature = "capi")]
 pub(crate) fn size(n: impl TryInto<usize>) -> usize {
     n.try_into().unwrap_or(0)
 }
@@ -175,6 +176,7 @@ pub(crate) fn map2(target: GLenum, ustride: i32, uorder: i32, vstride: i32, vord
 }
 
 /// Bytes of an index list.
+#[cfg(feature = "capi")]
 pub(crate) fn indices(n: i32, type_: GLenum) -> usize {
     index_size(type_).map_or(0, |size| count(n).saturating_mul(size))
 }
