@@ -53,7 +53,7 @@ conversions! {
     u16: [bool u8 i8 u16 i16 u32 i32 u64 i64 usize isize] v => v as u16, [f32 f64] v => v as u16;
     i32: [bool u8 i8 u16 i16 u32 i32 f32 f64] v => v as i32, [u64 i64 usize isize] v => of_64_bits(v as i128) as i32;
     u32: [bool u8 i8 u16 i16 u32 i32] v => v as u32, [u64 i64 usize isize] v => of_64_bits(v as i128);
-    isize: [u8 i8 u16 i16 u32 i32 u64 i64 usize isize] v => isize::try_from(v).unwrap_or(-1);
+    isize: [u8 i8 u16 i16 u32 i32 u64 i64 usize isize] v => isize::try_from(v as i128).unwrap_or(-1);
     bool: [bool] v => v, [u8 i8 u16 i16 u32 i32 u64 i64 usize isize] v => v != 0;
 }
 

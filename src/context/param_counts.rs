@@ -2,6 +2,7 @@
 //! expressions of the table's rows. The Rust doors check the length of a slice with them and the C door makes slices of
 //! them. An enumerant that the command does not take counts nothing, so that the engine can say what is wrong with it.
 
+#[cfg(feature = "capi")]
 use super::pixels_arg::index_size;
 use crate::enums::*;
 use crate::limits::{MAX_EVAL_ORDER, MAX_PIXEL_MAP_TABLE};

@@ -26,6 +26,7 @@ gl_enum! {
 
 gl_enum! {
     /// What the distance from the eye is (NV_fog_distance).
+    #[expect(clippy::enum_variant_names, reason = "the names are GL's")]
     pub enum FogDistanceMode {
         /// The length of the way to the eye.
         EyeRadial = GL_EYE_RADIAL_NV,

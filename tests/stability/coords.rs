@@ -361,7 +361,7 @@ fn scaled_q(w: &mut Worst) {
 }
 
 fn q_through_zero(w: &mut Worst) {
-    for (left, right) in [(1.0, -1.0), (1.0, 0.0), (0.0, 0.0), (-1.0, -1.0), (1e-30, -1.0), (1.0, -1e-30)] {
+    for (left, right) in [(1.0f32, -1.0f32), (1.0, 0.0), (0.0, 0.0), (-1.0, -1.0), (1e-30, -1.0), (1.0, -1e-30)] {
         let draw = |cx: &mut Context| {
             ramp(cx, GL_CLAMP_TO_EDGE);
             cover(cx, |cx, i| cx.tex_coord4f(0.125, 0.0, 0.0, if i == 0 || i == 3 { left } else { right }));
