@@ -118,7 +118,7 @@ impl Engine {
             match pixel.kind() {
                 PixelKind::Depth => {
                     self.framebuffer.read_depth(first, row, &mut depths);
-                    target.depths(at, transfer, &to_f32(&depths));
+                    target.depths(at, transfer, &depths);
                 }
                 PixelKind::Stencil => {
                     self.framebuffer.read_stencil(first, row, &mut stencils);
@@ -127,7 +127,7 @@ impl Engine {
                 PixelKind::DepthStencil => {
                     self.framebuffer.read_depth(first, row, &mut depths);
                     self.framebuffer.read_stencil(first, row, &mut stencils);
-                    target.depth_stencils(at, transfer, &to_f32(&depths), &to_u32(&stencils));
+                    target.depth_stencils(at, transfer, &depths, &to_u32(&stencils));
                 }
                 _ if self.framebuffer.format().float => {
                     self.framebuffer.read_float(first, row, &mut floats);
@@ -181,10 +181,6 @@ impl Engine {
             _ => return None,
         })
     }
-}
-
-fn to_f32(values: &[f64]) -> Vec<f32> {
-    values.iter().map(|v| *v as f32).collect()
 }
 
 fn to_u32(values: &[u8]) -> Vec<u32> {

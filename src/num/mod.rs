@@ -23,8 +23,8 @@ pub use exp_log64::exp2;
 pub use round::{MAGIC_F64, floor_f32, floor_f64_to_int, floor_to_int, round_f32, round_f64, round_to_int};
 pub use trig::{cos, sin, sin_cos, sin_cos_deg, tan};
 pub use unorm::{
-    f32_to_snorm, f32_to_u8, f32_to_u16, f32_to_unorm, i8_to_f32, i16_to_f32, snorm_to_f32, u8_to_f32, u16_to_f32,
-    unorm_to_f32,
+    f32_to_snorm, f32_to_u8, f32_to_u16, f32_to_unorm, f64_to_snorm, f64_to_unorm, i8_to_f32, i16_to_f32, snorm_to_f32,
+    u8_to_f32, u16_to_f32, unorm_to_f32,
 };
 
 /// The larger of two numbers; `b` when `a` is NaN. One `maxps`.

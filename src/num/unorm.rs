@@ -51,8 +51,20 @@ pub fn unorm_to_f32(c: u32, bits: u32) -> f32 {
 #[inline(always)]
 #[must_use]
 pub fn f32_to_unorm(v: f32, bits: u32) -> u32 {
+    nearest_unorm(f64::from(clamp01(v)), bits)
+}
+
+/// The same for an f64, which holds every fraction of 32 bits.
+#[inline(always)]
+#[must_use]
+pub fn f64_to_unorm(v: f64, bits: u32) -> u32 {
+    nearest_unorm(if v > 0.0 { v.min(1.0) } else { 0.0 }, bits)
+}
+
+#[inline(always)]
+fn nearest_unorm(v: f64, bits: u32) -> u32 {
     // 2^52 pushes the fraction out; the low half of the mantissa is then the integer.
-    (f64::from(clamp01(v)) * f64::from(largest(bits)) + 4_503_599_627_370_496.0).to_bits() as u32
+    (v * f64::from(largest(bits)) + 4_503_599_627_370_496.0).to_bits() as u32
 }
 
 /// `(2c + 1) / 255`: a signed byte as a colour or normal component.
@@ -81,7 +93,18 @@ pub fn snorm_to_f32(c: i32, bits: u32) -> f32 {
 #[inline(always)]
 #[must_use]
 pub fn f32_to_snorm(v: f32, bits: u32) -> i32 {
-    let v = f64::from(super::clamp_f32(v, -1.0, 1.0));
+    nearest_snorm(f64::from(super::clamp_f32(v, -1.0, 1.0)), bits)
+}
+
+/// The same for an f64.
+#[inline(always)]
+#[must_use]
+pub fn f64_to_snorm(v: f64, bits: u32) -> i32 {
+    nearest_snorm(if v > -1.0 { v.min(1.0) } else { -1.0 }, bits)
+}
+
+#[inline(always)]
+fn nearest_snorm(v: f64, bits: u32) -> i32 {
     // The low half of the sum's mantissa is the integer in two's complement.
     let x = (f64::from(largest(bits)) * v - 1.0) * 0.5 + super::MAGIC_F64;
     x.to_bits() as i32

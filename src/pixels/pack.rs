@@ -10,7 +10,7 @@ use super::transfer::Transfer;
 use super::unpack::swap_red_blue;
 use crate::enums::GL_UNSIGNED_INT_8_8_8_8;
 use crate::error::Outcome;
-use crate::num::{clamp01, f32_to_unorm};
+use crate::num::{clamp01, f32_to_unorm, f64_to_snorm, f64_to_unorm};
 use crate::state::pixel::PixelStore;
 
 /// How many groups are converted at a time.
@@ -213,24 +213,21 @@ impl<'a> ClientTarget<'a> {
 
     /// Writes depths from group `at` on; into DEPTH_STENCIL groups together with stencil indices, see
     /// [`ClientTarget::depth_stencils`].
-    pub fn depths(&mut self, at: [usize; 3], transfer: Transfer<'_>, depths: &[f32]) {
-        let mut work = [0.0; CHUNK];
+    pub fn depths<D: Copy + Into<f64>>(&mut self, at: [usize; 3], transfer: Transfer<'_>, depths: &[D]) {
         let (type_, swap) = (self.pixel.type_, self.swap);
-        for (n, part) in depths.chunks(CHUNK).enumerate() {
-            let work = &mut work[..part.len()];
-            work.copy_from_slice(part);
-            transfer.depths(work);
-            let groups = self.groups([at[0] + n * CHUNK, at[1], at[2]]);
-            match type_ {
-                Type::UnsignedByte => numbers(groups, swap, work, u8::from_component),
-                Type::Byte => numbers(groups, swap, work, i8::from_component),
-                Type::UnsignedShort => numbers(groups, swap, work, u16::from_component),
-                Type::Short => numbers(groups, swap, work, i16::from_component),
-                Type::UnsignedInt => numbers(groups, swap, work, u32::from_component),
-                Type::Int => numbers(groups, swap, work, i32::from_component),
-                Type::Float => numbers(groups, swap, work, f32::from_component),
-                Type::Bitmap | Type::Packed(_) | Type::UnsignedInt248 => {}
-            }
+        let groups = self.groups(at);
+        // In f64: an f32 cannot hold every depth of 24 or 32 bits.
+        let unsigned = |d: D, bits: u32| f64_to_unorm(transfer.depth(d.into()), bits);
+        let signed = |d: D, bits: u32| f64_to_snorm(transfer.depth(d.into()), bits);
+        match type_ {
+            Type::UnsignedByte => numbers(groups, swap, depths, |d| unsigned(d, 8) as u8),
+            Type::Byte => numbers(groups, swap, depths, |d| signed(d, 8) as i8),
+            Type::UnsignedShort => numbers(groups, swap, depths, |d| unsigned(d, 16) as u16),
+            Type::Short => numbers(groups, swap, depths, |d| signed(d, 16) as i16),
+            Type::UnsignedInt => numbers(groups, swap, depths, |d| unsigned(d, 32)),
+            Type::Int => numbers(groups, swap, depths, |d| signed(d, 32)),
+            Type::Float => numbers(groups, swap, depths, |d| transfer.depth(d.into()) as f32),
+            Type::Bitmap | Type::Packed(_) | Type::UnsignedInt248 => {}
         }
     }
 
@@ -269,16 +266,14 @@ impl<'a> ClientTarget<'a> {
     }
 
     /// Writes pairs of a depth and a stencil index as UNSIGNED_INT_24_8 from group `at` on.
-    pub fn depth_stencils(&mut self, at: [usize; 3], transfer: Transfer<'_>, depths: &[f32], stencils: &[u32]) {
+    pub fn depth_stencils(&mut self, at: [usize; 3], transfer: Transfer<'_>, depths: &[f64], stencils: &[u32]) {
         if self.pixel.type_ != Type::UnsignedInt248 {
             return;
         }
         let swap = self.swap;
         let pairs = depths.iter().zip(stencils);
         for ((&depth, &stencil), group) in pairs.zip(self.groups(at).chunks_exact_mut(4)) {
-            let mut depth = [depth];
-            transfer.depths(&mut depth);
-            let bits = f32_to_unorm(depth[0], 24);
+            let bits = f64_to_unorm(transfer.depth(depth), 24);
             (bits << 8 | transfer.stencil(stencil.into()) & 0xFF).write(group, swap);
         }
     }

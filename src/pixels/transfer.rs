@@ -76,14 +76,20 @@ impl Transfer<'_> {
         }
     }
 
-    /// Scale and bias of depths, then the clamp to [0, 1].
-    pub fn depths(&self, depths: &mut [f32]) {
-        if self.keeps_depths() {
-            depths.iter_mut().for_each(|d| *d = clamp01(*d));
+    /// Scale and bias of a depth, then the clamp to [0, 1]; 0 for NaN.
+    #[must_use]
+    pub fn depth(&self, depth: f64) -> f64 {
+        let moved = if self.keeps_depths() {
+            depth
         } else {
-            let (scale, bias) = (self.mode.depth_scale, self.mode.depth_bias);
-            depths.iter_mut().for_each(|d| *d = clamp01(*d * scale + bias));
-        }
+            depth * f64::from(self.mode.depth_scale) + f64::from(self.mode.depth_bias)
+        };
+        if moved > 0.0 { moved.min(1.0) } else { 0.0 }
+    }
+
+    /// The same for many.
+    pub fn depths(&self, depths: &mut [f32]) {
+        depths.iter_mut().for_each(|d| *d = self.depth((*d).into()) as f32);
     }
 
     /// Shift and offset of an index. The shift is a power of two, so bits that leave to the right become a fraction.
