@@ -116,12 +116,9 @@ impl Source<'_> {
                 let [x, y] = pixel(*from, at);
                 let mut exact = vec![0.0; row.len()];
                 engine.framebuffer.read_depth(x, y, &mut exact);
-                if transfer.keeps_depths() {
-                    row.iter_mut().zip(exact).for_each(|(to, depth)| *to = format.quantised_depth(depth));
-                    return;
-                }
-                depths.iter_mut().zip(exact).for_each(|(to, depth)| *to = depth as f32);
-                transfer.depths(&mut depths);
+                let moved = exact.into_iter().map(|depth| transfer.depth(depth));
+                row.iter_mut().zip(moved).for_each(|(to, depth)| *to = format.quantised_depth(depth));
+                return;
             }
         }
         row.iter_mut().zip(depths).for_each(|(to, depth)| *to = format.quantised_depth(depth.into()));

@@ -8,7 +8,7 @@ use crate::enums::*;
 use crate::fragment::planes::Layout;
 use crate::num::clamp01;
 use crate::raster::vertex::{VertexRef, twice_area};
-use crate::raster::{PrimitiveSink, RasterState};
+use crate::raster::{PrimitiveSink, RasterState, outline_order};
 use crate::state::State;
 use crate::state::raster::PolygonMode;
 use crate::vertex::hand_on::TakePrimitives;
@@ -86,6 +86,8 @@ pub(crate) struct RenderModes {
     /// The rasteriser's state and the slots of the vertices that are captured.
     raster: Option<RasterState>,
     layout: Layout,
+    /// Whether the line stipple starts anew with the next line.
+    restart: bool,
 }
 
 impl RenderModes {
@@ -165,8 +167,9 @@ impl RenderModes {
         self.feedback.push(token as f32);
     }
 
-    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: Option<&[f32]>, back: bool, restart: bool) {
-        self.token(if restart { GL_LINE_RESET_TOKEN } else { GL_LINE_TOKEN });
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: Option<&[f32]>, back: bool) {
+        let token = if std::mem::take(&mut self.restart) { GL_LINE_RESET_TOKEN } else { GL_LINE_TOKEN };
+        self.token(token);
         for v in ends {
             self.vertex(v, provoking.unwrap_or(v.slots), back);
         }
@@ -198,9 +201,9 @@ impl PrimitiveSink for Capture<'_> {
                 (0..3).for_each(|i| modes.vertex(v[i], colors(i), back));
             }
             PolygonMode::Line => {
-                for i in (0..3).filter(|i| edges[*i]) {
+                for i in outline_order(edges).into_iter().filter(|i| edges[*i]) {
                     let provoking = if flat { Some(v[provoking].slots) } else { None };
-                    modes.line([v[i], v[(i + 1) % 3]], provoking, back, i == 0);
+                    modes.line([v[i], v[(i + 1) % 3]], provoking, back);
                 }
             }
             PolygonMode::Point => {
@@ -212,14 +215,18 @@ impl PrimitiveSink for Capture<'_> {
         }
     }
 
-    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+    fn restart_stipple(&mut self) {
+        self.0.restart = true;
+    }
+
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize) {
         let modes = &mut *self.0;
         if modes.mode == RenderMode::Select {
             return ends.iter().for_each(|v| modes.hit(v.head.window[2]));
         }
         let flat = modes.raster.as_ref().is_some_and(|rs| rs.flat);
         let provoking = ends.get(provoking).filter(|_| flat).map(|v| v.slots);
-        modes.line(ends, provoking, false, restart);
+        modes.line(ends, provoking, false);
     }
 
     fn point(&mut self, vertex: VertexRef<'_>) {

@@ -75,10 +75,10 @@ pub fn hiz_update(band: &mut Band<'_>, run: &Segment, len: usize) {
 
 stage! {
     /// How many pixels of a row, from its start on, may be skipped.
-    pub fn HIZ_CULL: LongFn = (_b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, s: &Segment, arg: u32) -> u32 {
+    pub fn HIZ_CULL: LongFn = (_b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, s: &Segment, arg: u32) -> u32 {
         let Some(planes) = w.planes.get(s.prim as usize) else { return 0 };
         let (x, y) = row_origin(s, planes);
-        let slope = DepthSlope::new(&planes.z, y, u.depth_max);
+        let slope = DepthSlope::new(planes, y);
         hiz_cull(w.band, s, &slope, x, CompareFunc::from_arg(arg >> 1))
     }
 

@@ -44,8 +44,7 @@ pub struct Layout {
     pub color: Option<usize>,
     /// Slot of the secondary colour, 3 floats.
     pub secondary: Option<usize>,
-    /// Slot of the fog coordinate, 1 float: the distance from the eye (not negative), or the vertices' fog coordinate,
-    /// as the state asks for.
+    /// Slot of the fog coordinate, 1 float: z in eye coordinates, or the vertices' fog coordinate, as the state asks for.
     pub fog: Option<usize>,
     /// Slots of each unit's coordinates.
     pub units: [Option<UnitSlots>; MAX_TEXTURE_UNITS],
@@ -165,8 +164,10 @@ pub struct Linear {
 pub struct Planes {
     /// The pixel that positions are relative to.
     pub origin: [i32; 2],
-    /// Depth in units of the depth buffer, polygon offset included, not clamped.
+    /// Depth in units of the depth buffer, polygon offset included, not limited.
     pub z: Linear,
+    /// Least and greatest depth of a fragment, within the range of the depth buffer.
+    pub z_range: [f64; 2],
     /// Relative 1/w.
     pub d: Linear,
     /// Whether D is exactly 1 everywhere.

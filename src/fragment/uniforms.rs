@@ -20,8 +20,6 @@ pub struct FragUniforms {
     pub layout: Layout,
     /// For each unit the levels of a filter that may do without derivatives.
     pub levels: [Option<RhoRanges>; MAX_TEXTURE_UNITS],
-    /// The largest depth value, as a float.
-    pub depth_max: f64,
     /// Bits that are set in every packed pixel: alpha where the format has none.
     pub packed_or: u32,
     /// Bits of a packed pixel that may be written.
@@ -38,6 +36,9 @@ pub struct FragUniforms {
     pub fog_scale: f32,
     /// Where linear fog ends.
     pub fog_end: f32,
+    /// Bits of the interpolated value that make the fog coordinate: those of its absolute value where it is z in eye
+    /// coordinates.
+    pub fog_bits: u32,
     /// The stencil test.
     pub stencil: StencilUniforms,
     /// Blending.

@@ -266,14 +266,20 @@ impl<'a> ClientTarget<'a> {
     }
 
     /// Writes pairs of a depth and a stencil index as UNSIGNED_INT_24_8 from group `at` on.
-    pub fn depth_stencils(&mut self, at: [usize; 3], transfer: Transfer<'_>, depths: &[f64], stencils: &[u32]) {
+    pub fn depth_stencils<D: Copy + Into<f64>>(
+        &mut self,
+        at: [usize; 3],
+        transfer: Transfer<'_>,
+        depths: &[D],
+        stencils: &[u32],
+    ) {
         if self.pixel.type_ != Type::UnsignedInt248 {
             return;
         }
         let swap = self.swap;
         let pairs = depths.iter().zip(stencils);
         for ((&depth, &stencil), group) in pairs.zip(self.groups(at).chunks_exact_mut(4)) {
-            let bits = f64_to_unorm(transfer.depth(depth), 24);
+            let bits = f64_to_unorm(transfer.depth(depth.into()), 24);
             (bits << 8 | transfer.stencil(stencil.into()) & 0xFF).write(group, swap);
         }
     }

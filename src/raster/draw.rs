@@ -99,13 +99,14 @@ impl<P: FragmentProgram> PrimitiveSink for PrimitiveBuilder<'_, P> {
         self.geometry.triangle(&self.cx, &TriangleInput { v: [a, b, c], provoking, edges }, self.stipple);
     }
 
-    fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+    fn line(&mut self, v: [VertexRef<'_>; 2], provoking: usize) {
         self.flush_batch();
-        if restart {
-            *self.stipple = 0;
-        }
         let provoking = if provoking == 0 { v[0].slots } else { v[1].slots };
         self.geometry.line(&self.cx, &LineInput { v, provoking, back: false, offset: 0.0 }, self.stipple);
+    }
+
+    fn restart_stipple(&mut self) {
+        *self.stipple = 0;
     }
 
     fn point(&mut self, v: VertexRef<'_>) {

@@ -202,10 +202,14 @@ impl<P: FragmentProgram> PrimitiveSink for Scene<P> {
         }
     }
 
-    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize) {
         if let Some(mut builder) = self.builder() {
-            builder.line(ends, provoking, restart);
+            builder.line(ends, provoking);
         }
+    }
+
+    fn restart_stipple(&mut self) {
+        self.stipple = 0;
     }
 
     fn point(&mut self, vertex: VertexRef<'_>) {

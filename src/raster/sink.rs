@@ -3,14 +3,21 @@
 use super::triangle_batch::corners::CornerLanes;
 use super::vertex::VertexRef;
 
+/// The order in which a triangle's edges make an outline, for the line stipple. The first half of a quadrilateral has its inner
+/// edge in the middle: there the outline goes on from edge 2 to 0.
+pub(crate) fn outline_order(edges: [bool; 3]) -> [usize; 3] {
+    if edges == [true, false, true] { [2, 0, 1] } else { [0, 1, 2] }
+}
+
 /// Takes primitives that need no clipping.
 pub trait PrimitiveSink {
     /// A triangle of three vertices in the order of issue. Under flat shading the colour is that of the `provoking` one;
     /// `edges[i]` says whether the edge from corner i to the next is a boundary edge of its polygon.
     fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]);
-    /// A line. `restart` says that the line stipple starts anew: at the first line of a strip or loop, and at each line
-    /// of `GL_LINES`.
-    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool);
+    /// A line.
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize);
+    /// The line stipple starts anew: after Begin, and before each line of `GL_LINES`.
+    fn restart_stipple(&mut self);
     /// A point, of its vertex's point size.
     fn point(&mut self, vertex: VertexRef<'_>);
     /// Whether triangles whose window area is positive (counter-clockwise), and those whose area is not, draw nothing.

@@ -6,6 +6,12 @@ use crate::state::State;
 use crate::state::lighting::ShadeModel;
 use crate::state::raster::{PolygonMode, Winding};
 
+/// What one unit of polygon offset adds to a depth, in steps of the depth buffer: the constant r of section 3.5.5. Of two depths
+/// that are exactly one step apart, each rounded to the nearest step, both may become the same. It exceeds a step by more than
+/// rounding errors can take from the difference of two polygons in one plane, and by so little that 500 units are still 500
+/// steps.
+pub(super) const RESOLVABLE: f64 = 1.0 + 1.0 / 1024.0;
+
 /// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rect {
@@ -71,7 +77,7 @@ pub struct RasterState {
     pub offset: [bool; 3],
     /// Offset per unit of slope.
     pub offset_factor: f64,
-    /// Offset in units of the depth buffer.
+    /// Offset in steps of the depth buffer.
     pub offset_units: f64,
     /// The depth buffer's largest value: window depths are multiplied by it.
     pub depth_scale: f64,
@@ -120,7 +126,7 @@ impl RasterState {
             mode: p.mode,
             offset: p.offset,
             offset_factor: finite(p.offset_factor),
-            offset_units: finite(p.offset_units),
+            offset_units: finite(p.offset_units) * RESOLVABLE,
             depth_scale: ((1u64 << depth_bits.min(32)) - 1) as f64,
             flat: state.lighting.shade_model == ShadeModel::Flat,
             smooth: [state.point.smooth, line.smooth, p.smooth],

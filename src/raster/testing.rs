@@ -75,6 +75,7 @@ impl FragmentProgram for Counter {
                     let slots = (0..self.layout.count).filter_map(|slot| pool.plane(of, slot));
                     let values = slots.map(|p| value(&p, of, dx, dy)).collect();
                     let z = of.z.at + of.z.y * f64::from(dy) + of.z.x * f64::from(dx);
+                    let z = z.clamp(of.z_range[0], of.z_range[1]);
                     seen.push(Seen { at, z, values, coverage: b.coverage[lane + i] });
                 }
             }
@@ -170,7 +171,8 @@ impl TestCanvas {
     pub fn line(&mut self, a: [f64; 2], b: [f64; 2]) {
         let v = [a, b].map(|[x, y]| vertex(x, y, 0.5, 1.0));
         let r = [0, 1].map(|i: usize| VertexRef { head: &v[i], slots: &[] });
-        self.scene.line(r, 1, true);
+        self.scene.restart_stipple();
+        self.scene.line(r, 1);
     }
 
     /// Draws a point.

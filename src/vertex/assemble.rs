@@ -19,6 +19,7 @@ use crate::raster::PrimitiveSink;
 use crate::raster::vertex::{ScreenPosition, twice_area};
 use crate::simd::LANES;
 use crate::state::primitive::PrimitiveMode;
+use std::mem::take;
 
 /// Joins vertices into primitives.
 #[derive(Clone, Debug, Default)]
@@ -36,8 +37,8 @@ pub struct Assembler {
 enum PrimitiveKind {
     /// A triangle: which corner is the provoking one, and which edges are boundaries.
     Triangle { provoking: u8, edges: [bool; 3] },
-    /// A line; whether the stipple starts anew.
-    Line { provoking: u8, restart: bool },
+    /// A line.
+    Line { provoking: u8 },
     /// A point.
     Point,
 }
@@ -49,6 +50,8 @@ pub struct VisiblePrimitive {
     kind: PrimitiveKind,
     /// Whether it must be clipped.
     clip: bool,
+    /// Whether the line stipple starts anew before it.
+    restart: bool,
 }
 
 impl VisiblePrimitive {
@@ -83,6 +86,9 @@ impl VisiblePrimitive {
         sink: &mut S,
     ) {
         let [a, b, c] = self.ids;
+        if self.restart {
+            sink.restart_stipple();
+        }
         match self.kind {
             PrimitiveKind::Triangle { provoking, edges } if self.clip => {
                 clipper.triangle(plan, pool, self.ids, usize::from(provoking), edges, sink);
@@ -92,12 +98,12 @@ impl VisiblePrimitive {
                     sink.triangle([a, b, c], usize::from(provoking), edges);
                 }
             }
-            PrimitiveKind::Line { provoking, restart } if self.clip => {
-                clipper.line(plan, pool, [a, b], usize::from(provoking), restart, sink);
+            PrimitiveKind::Line { provoking } if self.clip => {
+                clipper.line(plan, pool, [a, b], usize::from(provoking), sink);
             }
-            PrimitiveKind::Line { provoking, restart } => {
+            PrimitiveKind::Line { provoking } => {
                 if let (Some(a), Some(b)) = (pool.get(a), pool.get(b)) {
-                    sink.line([a, b], usize::from(provoking), restart);
+                    sink.line([a, b], usize::from(provoking));
                 }
             }
             PrimitiveKind::Point => {
@@ -122,6 +128,8 @@ pub struct AssemblyOutput<'a> {
     pub seen: &'a mut Vec<VisiblePrimitive>,
     /// What became of the others.
     pub counts: &'a mut VertexCounts,
+    /// Whether the next line starts the stipple anew. What is dropped before leaves that to those after it.
+    pub restart: &'a mut bool,
 }
 
 impl AssemblyOutput<'_> {
@@ -147,7 +155,8 @@ impl AssemblyOutput<'_> {
                 return;
             }
         }
-        self.seen.push(VisiblePrimitive { ids, kind: PrimitiveKind::Triangle { provoking, edges }, clip });
+        let restart = self.edges() && take(self.restart);
+        self.seen.push(VisiblePrimitive { ids, kind: PrimitiveKind::Triangle { provoking, edges }, clip, restart });
     }
 
     /// Separate triangles, 64 at a time: most draws are made of them.
@@ -167,18 +176,19 @@ impl AssemblyOutput<'_> {
                 let Some(&ids) = block.get(i as usize) else { break };
                 let edges = if with_edges { ids.map(|id| pool.edge(id)) } else { [true; 3] };
                 let kind = PrimitiveKind::Triangle { provoking: 2, edges };
-                self.seen.push(VisiblePrimitive { ids, kind, clip: clipped >> i & 1 != 0 });
+                let restart = with_edges && take(self.restart);
+                self.seen.push(VisiblePrimitive { ids, kind, clip: clipped >> i & 1 != 0, restart });
             }
         }
     }
 
     #[inline]
-    fn line(&mut self, pool: &TransformedVertices, [a, b]: [u32; 2], provoking: u8, restart: bool) {
+    fn line(&mut self, pool: &TransformedVertices, [a, b]: [u32; 2]) {
         let [p, q] = [pool.screen(a), pool.screen(b)];
         let any = p.0 | q.0;
         if !is_outside(p.0 & q.0, any) {
-            let kind = PrimitiveKind::Line { provoking, restart };
-            self.seen.push(VisiblePrimitive { ids: [a, b, b], kind, clip: ScreenPosition(any).outcode() != 0 });
+            let (kind, clip) = (PrimitiveKind::Line { provoking: 1 }, ScreenPosition(any).outcode() != 0);
+            self.seen.push(VisiblePrimitive { ids: [a, b, b], kind, clip, restart: take(self.restart) });
         } else {
             self.counts.outside += 1;
         }
@@ -187,7 +197,7 @@ impl AssemblyOutput<'_> {
     #[inline]
     fn point(&mut self, pool: &TransformedVertices, id: u32) {
         if pool.screen(id).outcode() == 0 {
-            self.seen.push(VisiblePrimitive { ids: [id; 3], kind: PrimitiveKind::Point, clip: false });
+            self.seen.push(VisiblePrimitive { ids: [id; 3], kind: PrimitiveKind::Point, clip: false, restart: false });
         } else {
             self.counts.outside += 1;
         }
@@ -244,7 +254,10 @@ impl Assembler {
             PrimitiveMode::Points => each.for_each(|id| out.point(pool, id)),
             PrimitiveMode::Lines => {
                 let (begun, lines) = self.groups(ids);
-                begun.iter().chain(lines).for_each(|ids| out.line(pool, *ids, 1, true));
+                for ids in begun.iter().chain(lines) {
+                    *out.restart = true;
+                    out.line(pool, *ids);
+                }
             }
             PrimitiveMode::Triangles => {
                 let (begun, triangles) = self.groups(ids);
@@ -260,8 +273,7 @@ impl Assembler {
             }
             PrimitiveMode::LineStrip => each.for_each(|id| {
                 if self.held == 1 {
-                    out.line(pool, [self.hold[0], id], 1, self.count == 0);
-                    self.count = 1;
+                    out.line(pool, [self.hold[0], id]);
                 }
                 (self.hold[0], self.held) = (id, 1);
             }),
@@ -270,7 +282,7 @@ impl Assembler {
                 match self.held {
                     0 => (self.hold[0], self.hold[1], self.held) = (id, id, 2),
                     _ => {
-                        out.line(pool, [self.hold[0], id], 1, self.count == 0);
+                        out.line(pool, [self.hold[0], id]);
                         (self.hold[0], self.count) = (id, 1);
                     }
                 }
@@ -336,7 +348,7 @@ impl Assembler {
     pub fn end(&mut self, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>) {
         match self.mode {
             // A loop of one vertex draws nothing, of two the same segment twice.
-            PrimitiveMode::LineLoop if self.count != 0 => out.line(pool, [self.hold[0], self.hold[1]], 1, false),
+            PrimitiveMode::LineLoop if self.count != 0 => out.line(pool, [self.hold[0], self.hold[1]]),
             PrimitiveMode::Polygon if self.held == 3 => self.polygon_triangle(pool, out, true),
             PrimitiveMode::Points
             | PrimitiveMode::Lines

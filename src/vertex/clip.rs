@@ -285,7 +285,6 @@ impl Clipper {
         pool: &TransformedVertices,
         ids: [u32; 2],
         provoking: usize,
-        restart: bool,
         sink: &mut S,
     ) {
         self.load(plan, pool, &ids, provoking, &[true; 2]);
@@ -308,7 +307,7 @@ impl Clipper {
         }
         let [a, b] = [0, 1].map(|i| self.out.head.get(i).map(|head| VertexRef { head, slots: self.out.slots(i) }));
         if let (Some(a), Some(b)) = (a, b) {
-            sink.line([a, b], provoking, restart);
+            sink.line([a, b], provoking);
         }
     }
 

@@ -198,8 +198,7 @@ impl VertexPlan {
         } else {
             r.eye = true;
             let stage = match state.fog.distance_mode {
-                FogDistanceMode::EyePlaneAbsolute => &transform::FOG_DEPTH,
-                FogDistanceMode::EyePlane => &transform::FOG_PLANE,
+                FogDistanceMode::EyePlaneAbsolute | FogDistanceMode::EyePlane => &transform::FOG_PLANE,
                 FogDistanceMode::EyeRadial => &transform::FOG_RADIAL,
             };
             tail.push(stage, 0);

@@ -28,6 +28,8 @@ pub struct VertexProcessor {
     pub counts: VertexCounts,
     /// Whether each vertex is used by a primitive that may be visible.
     used: Vec<bool>,
+    /// Whether the next line starts the stipple anew.
+    restart: bool,
 }
 
 impl Default for VertexProcessor {
@@ -40,6 +42,7 @@ impl Default for VertexProcessor {
             seen: Vec::new(),
             counts: VertexCounts::default(),
             used: Vec::new(),
+            restart: true,
         }
     }
 }
@@ -48,12 +51,13 @@ impl VertexProcessor {
     /// Starts a primitive.
     pub fn begin(&mut self, mode: PrimitiveMode) {
         self.assembler.begin(mode);
+        self.restart = true;
     }
 
     /// Assembles transformed vertices.
     pub fn feed(&mut self, plan: &VertexPlan, culls: [bool; 2], ids: &[u32]) {
-        let Self { assembler, pool, batch, seen, counts, .. } = self;
-        assembler.feed(ids, pool, &mut AssemblyOutput { plan, culls, batch, seen, counts });
+        let Self { assembler, pool, batch, seen, counts, restart, .. } = self;
+        assembler.feed(ids, pool, &mut AssemblyOutput { plan, culls, batch, seen, counts, restart });
     }
 
     /// Assembles the transformed vertices from `first` on.
@@ -63,8 +67,8 @@ impl VertexProcessor {
 
     /// Ends the primitive.
     pub fn end(&mut self, plan: &VertexPlan, culls: [bool; 2]) {
-        let Self { assembler, pool, batch, seen, counts, .. } = self;
-        assembler.end(pool, &mut AssemblyOutput { plan, culls, batch, seen, counts });
+        let Self { assembler, pool, batch, seen, counts, restart, .. } = self;
+        assembler.end(pool, &mut AssemblyOutput { plan, culls, batch, seen, counts, restart });
     }
 
     /// Whether no vertex waits for others of its primitive.

@@ -260,7 +260,10 @@ impl Scene {
             previous = color_sum(previous, secondary);
         }
         if let Some(fog) = &self.fog {
-            previous = fog.apply(previous, value(&|c| c.fog));
+            // The distance is that of the fragment's point (3.10), which may lie before the eye where a vertex lies behind it.
+            let c = value(&|c| c.fog);
+            let signed = self.vertex.fog_from_coordinate || self.vertex.fog_distance == GL_EYE_PLANE;
+            previous = fog.apply(previous, if signed { c } else { c.abs() });
         }
         (previous, story)
     }

@@ -131,7 +131,7 @@ pub struct Shaded {
     /// Primary and secondary colour of the front and of the back side.
     pub front: [V4; 2],
     pub back: [V4; 2],
-    /// c of the fog equations: the distance or the fog coordinate.
+    /// What c of the fog equations comes from: z in eye coordinates or the fog coordinate.
     pub fog: f64,
     pub tex: Vec<V4>,
 }
@@ -211,7 +211,7 @@ impl VertexState {
         let distance = match self.fog_distance {
             GL_EYE_RADIAL_NV => (x * x + y * y + z * z).sqrt(),
             GL_EYE_PLANE => z,
-            _ => z.abs(),
+            _ => z,
         };
         Shaded {
             eye,

@@ -67,3 +67,32 @@ fn the_colour_sum_comes_before_fog() {
     scene.fog = Some(Fog { density: 0.25, color: [1.0, 0.0, 0.0, 0.0], ..Fog::default() });
     compare(&scene, EDGES).within_one_lsb("colour sum and fog");
 }
+
+#[test]
+fn the_distance_is_that_of_the_fragment_where_a_primitive_reaches_behind_the_eye() {
+    // z from -8 to 4 in a parallel projection, which draws what lies behind the eye: 3.10 takes |z| of each fragment.
+    let n = 96;
+    let mut cx = Context::new(n, 1);
+    cx.matrix_mode(GL_PROJECTION);
+    cx.ortho(0.0, f64::from(n), 0.0, 1.0, -10.0, 10.0);
+    cx.enable(GL_FOG);
+    cx.fogi(GL_FOG_MODE, GL_LINEAR as i32);
+    cx.fogf(GL_FOG_START, 0.0);
+    cx.fogf(GL_FOG_END, 8.0);
+    cx.fogfv(GL_FOG_COLOR, &[0.0; 4]);
+    for mode in [GL_QUADS, GL_LINES] {
+        cx.clear(GL_COLOR_BUFFER_BIT);
+        cx.matrix_mode(GL_MODELVIEW);
+        cx.begin(mode);
+        let (x, ys): (f64, &[f64]) = (f64::from(n), if mode == GL_QUADS { &[0.0, 1.0] } else { &[0.5] });
+        for (x, z, ys) in [(0.0, -8.0, ys.to_vec()), (x, 4.0, ys.iter().rev().copied().collect())] {
+            ys.iter().for_each(|y| cx.vertex3d(x, *y, z));
+        }
+        cx.end();
+        for (i, p) in crate::support::pixels(&mut cx, n, 1).iter().enumerate() {
+            let z = -8.0 + 12.0 * (i as f64 + 0.5) / f64::from(n);
+            let want = 255.0 * (8.0 - z.abs()) / 8.0;
+            assert!((f64::from(p[0]) - want).abs() < 0.51, "{mode:#x} at {i}: {} for {want}", p[0]);
+        }
+    }
+}

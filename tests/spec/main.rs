@@ -23,6 +23,7 @@ mod clip;
 mod combine;
 mod commands;
 mod cube;
+mod depth;
 mod display_lists;
 mod env;
 mod errors;

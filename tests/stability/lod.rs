@@ -26,7 +26,7 @@ rows! {
     anisotropy: "L9", "ratios of the footprint's sides up to 1e6 and infinite; degrees 1 to 16", "log2(Pmax/N), N limited", 1e-3, "levels",
         "0 under the ratio gives the greatest degree; 2^-10 above a whole number is one";
     points_and_lines: "L10", "points of size 1 and 9, lines of length 0, 1e-30 and 60, a mipmapped texture", "the base level of points; a number", 0.0,
-        "wrong pictures", "no slopes for points and for lines without length";
+        "wrong pictures", "rho 1 for points, no slopes for lines without length";
 }
 
 /// A pyramid of 64 x 64 whose level d has the value 16 d, and filters that show lambda.

@@ -31,10 +31,10 @@ rows! {
         "the same picture to the last bit", 0.0, "pictures that differ", "planes start at a pixel of the triangle";
     steep_perspective: "R9", "1000 triangles 16,000 pixels from the window's corner, w ratios 1, 1e3, 1e6",
         "equation 3.6", 5e-3, "texels of 256", "differences from the far corner; f64 where f32 would lose 2^-11 texel";
-    depth_planes: "R10", "2000 triangles near the corner and 16,000 pixels away", "the plane through the snapped corners",
-        0.51, "steps of 24 bits", "f64 from snapped positions, rounded once";
+    depth_planes: "R10", "2000 triangles near the corner and 16,000 pixels away", "the plane through the corners, off the grid",
+        0.51, "steps of 24 bits", "f64 from unsnapped positions, rounded once";
     drawn_again: "R10b", "100 triangles drawn again with EQUAL: textured, lit, blended, fogged, stippled, offset 0, clipped away from",
-        "every fragment passes", 0.0, "fragments that fail", "depth from one matrix and snapped positions, whatever else is on";
+        "every fragment passes", 0.0, "fragments that fail", "depth from one matrix and the same weights, whatever else is on";
 }
 
 /// A triangle of window positions and its coverage in a window, by whole numbers.
@@ -338,8 +338,9 @@ fn depth_planes(w: &mut Worst) {
     for round in 0..2000 {
         let base = [0.0, 16_000.0][round % 2];
         let corners: [[f64; 3]; 3] = std::array::from_fn(|_| {
-            let grid = |v: f64| (v * 256.0).round() / 256.0;
-            [base + grid(random.range(-10.0, 42.0)), grid(random.range(-10.0, 42.0)), random.range(-1.0, 1.0)]
+            // An f32 near 16,000 holds no more than this.
+            let fine = |v: f64| (v * 1024.0).round() / 1024.0;
+            [base + fine(random.range(-10.0, 42.0)), fine(random.range(-10.0, 42.0)), random.range(-1.0, 1.0)]
         });
         cx.clear(GL_DEPTH_BUFFER_BIT);
         cx.begin(GL_TRIANGLES);

@@ -12,7 +12,7 @@ use crate::fragment::uniforms::{BlendUniforms, StencilOps, StencilUniforms};
 use crate::num::clamp01;
 use crate::state::color_buffer::{BlendEquation, BlendFactor, ColorBufferName, LogicOp};
 use crate::state::depth_stencil::{StencilFace, StencilOp};
-use crate::state::fog::FogMode;
+use crate::state::fog::{FogCoordSource, FogDistanceMode, FogMode};
 use crate::state::lighting::ColorControl;
 
 impl Builder<'_> {
@@ -61,7 +61,6 @@ impl Builder<'_> {
         let u = &mut self.program.uniforms;
         u.color_mask = if c.draw_buffer == ColorBufferName::None || noop { 0 } else { mask };
         u.packed_or = crate::framebuffer::no_alpha_bits(self.format);
-        u.depth_max = f64::from(self.format.depth_max());
         (u.scale, u.limit) = if self.format.float { (1.0, f32::MAX) } else { (255.0, 255.0) };
         u.alpha_ref = clamp01(c.alpha_ref);
         match u.color_mask {
@@ -213,6 +212,8 @@ impl Builder<'_> {
         let u = &mut self.program.uniforms;
         u.fog_color = [clamp01(f.color[0]), clamp01(f.color[1]), clamp01(f.color[2])];
         (u.fog_scale, u.fog_end) = (f.density, f.end);
+        let signed = f.coord_source == FogCoordSource::FogCoord || f.distance_mode == FogDistanceMode::EyePlane;
+        u.fog_bits = if signed { u32::MAX } else { u32::MAX >> 1 };
         let factor = match f.mode {
             FogMode::Linear if f.end == f.start => FogFactor::Step,
             FogMode::Linear => {

@@ -5,7 +5,7 @@
 use crate::fragment::batch::FragmentBatch;
 use crate::fragment::compare::{CompareFunc, any, compare, ones};
 use crate::fragment::plane_eval::{IOTA, LinearEval, sums};
-use crate::fragment::planes::Linear;
+use crate::fragment::planes::Planes;
 use crate::fragment::reference::lanes::{CHUNK, pieces, positions, put, row_origin, single_row};
 use crate::fragment::reference::places::{fresh_mask, load, places, store};
 use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
@@ -14,11 +14,11 @@ use crate::simd::{LANES, stage};
 /// 2^52: a float whose unit in the last place is 1, so that the low half of its bits is the rounded integer.
 const WHOLE: f64 = 4_503_599_627_370_496.0;
 
-/// A depth as an integer of the buffer: limited to 0..=max (NaN gives 0), rounded to the nearest, ties to even.
+/// A depth as an integer of the buffer: limited to a range (NaN gives its least), rounded to the nearest, ties to even.
 #[inline(always)]
-pub fn quantise(z: f64, max: f64) -> u32 {
-    let z = if z > 0.0 { z } else { 0.0 };
-    let z = if z < max { z } else { max };
+pub fn quantise(z: f64, [low, high]: [f64; 2]) -> u32 {
+    let z = if z > low { z } else { low };
+    let z = if z < high { z } else { high };
     whole(z)
 }
 
@@ -36,16 +36,16 @@ pub const WRITE: u32 = 1;
 pub struct DepthSlope {
     at: f64,
     x: f64,
-    max: f64,
+    range: [f64; 2],
     /// No depth that matters is to be limited.
     inside: bool,
 }
 
 impl DepthSlope {
-    /// Depth in the row y, relative to the primitive's origin.
+    /// Depth of a primitive in the row y, relative to its origin.
     #[inline(always)]
-    pub fn new(z: &Linear, y: i32, max: f64) -> Self {
-        Self { at: z.at + z.y * f64::from(y), x: z.x, max, inside: false }
+    pub fn new(of: &Planes, y: i32) -> Self {
+        Self { at: of.z.at + of.z.y * f64::from(y), x: of.z.x, range: of.z_range, inside: false }
     }
 
     /// For the depths from x to `last`: where both ends lie within the limits, all between do, rounding included.
@@ -53,7 +53,7 @@ impl DepthSlope {
     pub fn between(self, x: i32, last: i32) -> Self {
         let within = |x: i32| {
             let z = self.at + self.x * f64::from(x);
-            z >= 0.0 && z <= self.max
+            z >= self.range[0] && z <= self.range[1]
         };
         Self { inside: x <= last && within(x) && within(last), ..self }
     }
@@ -61,7 +61,7 @@ impl DepthSlope {
     /// The depth at x, relative to the primitive's origin.
     #[inline(always)]
     pub fn depth(&self, x: i32) -> u32 {
-        quantise(self.at + self.x * f64::from(x), self.max)
+        quantise(self.at + self.x * f64::from(x), self.range)
     }
 
     /// The depths from x on.
@@ -69,7 +69,7 @@ impl DepthSlope {
     pub fn depths<const N: usize>(&self, x: i32, out: &mut [u32; N]) {
         if self.x == 0.0 {
             // (at + 0 x) is at, or at with the sign of a zero changed.
-            *out = [quantise(self.at, self.max); N];
+            *out = [quantise(self.at, self.range); N];
         } else if self.inside {
             for i in 0..N {
                 out[i] = whole(self.at + self.x * f64::from(x.wrapping_add(i as i32)));
@@ -105,13 +105,12 @@ pub fn lanes<const N: usize>(n: usize) -> [u32; N] {
 
 /// The depth of each fragment.
 #[inline(always)]
-pub fn depths(b: &mut FragmentBatch, u: &FragUniforms, w: &Work<'_, '_>) {
-    let max = u.depth_max;
+pub fn depths(b: &mut FragmentBatch, w: &Work<'_, '_>) {
     if single_row(b)
         && let Some(planes) = w.planes.get(b.segments[0].prim as usize)
     {
         let (x0, y) = row_origin(&b.segments[0], planes);
-        DepthSlope::new(&planes.z, y, max).depths(x0, &mut b.z);
+        DepthSlope::new(planes, y).depths(x0, &mut b.z);
         return;
     }
     for s in 0..b.segment_count.min(LANES) {
@@ -122,7 +121,7 @@ pub fn depths(b: &mut FragmentBatch, u: &FragUniforms, w: &Work<'_, '_>) {
             let z = sums(&LinearEval::<f64>::new(&planes.z, None), &at);
             let mut out = [0; CHUNK];
             for i in 0..CHUNK {
-                out[i] = quantise(z[i], max);
+                out[i] = quantise(z[i], planes.z_range);
             }
             put(&mut b.z, piece, &out);
         }
@@ -147,8 +146,8 @@ stage! {
     }
 
     /// The depth of each fragment.
-    pub fn DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
-        depths(b, u, w);
+    pub fn DEPTH: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, _arg: u32) {
+        depths(b, w);
     }
 
     /// The depth test, and with [`WRITE`] the new depths of the fragments that pass.

@@ -11,7 +11,7 @@ use crate::simd::{LANES, stage};
 
 /// The test on a batch of one row; false, and nothing done, where it is none or where the buffer ends within 64 pixels.
 #[inline(always)]
-fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) -> bool {
+fn row(b: &mut FragmentBatch, w: &mut Work<'_, '_>, arg: u32) -> bool {
     let segment = b.segments[0];
     let n = if segment.len < LANES as u32 { segment.len } else { LANES as u32 };
     let Some(planes) = w.planes.get(segment.prim as usize) else { return false };
@@ -20,7 +20,7 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
     };
     let func = CompareFunc::from_arg(arg >> 1);
     let (x, y) = row_origin(&segment, planes);
-    let slope = DepthSlope::new(&planes.z, y, u.depth_max);
+    let slope = DepthSlope::new(planes, y);
     // Lanes of their own, written to the batch once: lanes that were just written through a mask are read again only when
     // they have reached the cache.
     let mut z = [0; LANES];
@@ -48,12 +48,12 @@ fn row(b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) 
 stage! {
     /// What [`BEGIN`](super::depth::BEGIN), [`DEPTH`](super::depth::DEPTH) and [`DEPTH_TEST`](super::depth::DEPTH_TEST)
     /// do one after the other, at once for batches of one row.
-    pub fn EARLY_DEPTH: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
-        if single_row(b) && row(b, u, w, arg) {
+    pub fn EARLY_DEPTH: FragFn = (b: &mut FragmentBatch, _u: &FragUniforms, w: &mut Work<'_, '_>, arg: u32) {
+        if single_row(b) && row(b, w, arg) {
             return;
         }
         fresh_mask(b);
-        depths(b, u, w);
+        depths(b, w);
         test(b, w, arg);
     }
 }

@@ -11,10 +11,11 @@ use crate::fragment::uniforms::{FragFn, FragUniforms, Work};
 use crate::num::{clamp_f32, clamp01, exp_f32};
 use crate::simd::{LANES, stage};
 
-/// A fog coordinate without infinities and NaN, so that density 0 means no fog for every fragment.
+/// The fog coordinate of an interpolated value, without infinities and NaN, so that density 0 means no fog for every
+/// fragment.
 #[inline(always)]
-fn limited(c: f32) -> f32 {
-    clamp_f32(c, -3e38, 3e38)
+fn coordinate(interpolated: f32, u: &FragUniforms) -> f32 {
+    clamp_f32(f32::from_bits(interpolated.to_bits() & u.fog_bits), -3e38, 3e38)
 }
 
 /// Fog's choice between the fragment's colour (f = 1) and its own (f = 0), exact at both ends.
@@ -45,7 +46,7 @@ stage! {
     /// Exponential fog.
     pub fn FOG_EXP: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
-            b.fog[i] = clamp01(exp_f32(-(u.fog_scale * limited(b.fog[i]))));
+            b.fog[i] = clamp01(exp_f32(-(u.fog_scale * coordinate(b.fog[i], u))));
         }
         mix(b, u);
     }
@@ -53,7 +54,7 @@ stage! {
     /// Squared exponential fog.
     pub fn FOG_EXP2: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
-            let dc = u.fog_scale * limited(b.fog[i]);
+            let dc = u.fog_scale * coordinate(b.fog[i], u);
             b.fog[i] = clamp01(exp_f32(-(dc * dc)));
         }
         mix(b, u);
@@ -62,7 +63,7 @@ stage! {
     /// Linear fog: the scale is 1 / (e - s).
     pub fn FOG_LINEAR: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
-            b.fog[i] = clamp01((u.fog_end - limited(b.fog[i])) * u.fog_scale);
+            b.fog[i] = clamp01((u.fog_end - coordinate(b.fog[i], u)) * u.fog_scale);
         }
         mix(b, u);
     }
@@ -70,7 +71,7 @@ stage! {
     /// Linear fog that ends where it starts, which the specification leaves undefined: none before, all after.
     pub fn FOG_STEP: FragFn = (b: &mut FragmentBatch, u: &FragUniforms, _w: &mut Work<'_, '_>, _arg: u32) {
         for i in 0..LANES {
-            b.fog[i] = if b.fog[i] < u.fog_end { 1.0 } else { 0.0 };
+            b.fog[i] = if coordinate(b.fog[i], u) < u.fog_end { 1.0 } else { 0.0 };
         }
         mix(b, u);
     }

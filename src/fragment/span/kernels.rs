@@ -212,9 +212,9 @@ fn long_color(u: &FragUniforms, w: &mut Work<'_, '_>, segment: &Segment, planes:
     }
     // One call for each kind, so that no loop tests which kind it is.
     match color {
-        Some(PackedColor::Flat(packed)) => whole_row(u, w, (segment, planes), arg, Some(&FlatColor(packed))),
-        Some(PackedColor::Smooth(smooth)) => whole_row(u, w, (segment, planes), arg, Some(&smooth)),
-        None => whole_row(u, w, (segment, planes), arg, None::<&FlatColor>),
+        Some(PackedColor::Flat(packed)) => whole_row(w, (segment, planes), arg, Some(&FlatColor(packed))),
+        Some(PackedColor::Smooth(smooth)) => whole_row(w, (segment, planes), arg, Some(&smooth)),
+        None => whole_row(w, (segment, planes), arg, None::<&FlatColor>),
     }
 }
 
@@ -261,7 +261,7 @@ stage! {
         let (Some(first), Some(slot)) = (rows.first(), u.layout.color) else { return false };
         let Some((planes, pool)) = w.primitive::<4>(first, slot) else { return false };
         let Some(color) = PackedColor::new(planes, pool, None, u.packed_or) else { return false };
-        colored_rows(rows, (planes, &color), u, w, arg)
+        colored_rows(rows, (planes, &color), w, arg)
     }
 
     /// Short rows of nearest texels.

@@ -36,9 +36,9 @@ struct DepthTest {
 impl DepthTest {
     /// That of a kernel's argument along `len` pixels from (x, y) on; `None` where there is none.
     #[inline(always)]
-    fn new(planes: &Planes, (x, y, len): (i32, i32, u32), u: &FragUniforms, arg: u32) -> Option<Self> {
+    fn new(planes: &Planes, (x, y, len): (i32, i32, u32), arg: u32) -> Option<Self> {
         let last = x.wrapping_add(len.wrapping_sub(1).cast_signed());
-        let slope = || DepthSlope::new(&planes.z, y, u.depth_max).between(x, last);
+        let slope = || DepthSlope::new(planes, y).between(x, last);
         (arg & DEPTH != 0).then(|| Self {
             slope: slope(),
             func: CompareFunc::from_arg(arg >> 1),
@@ -168,14 +168,13 @@ impl<S: SpanShader> Row<'_, S> {
 /// A row whose pixels all have one shader, or none; gives how many of its pixels are done.
 #[inline(always)]
 pub fn whole_row<S: SpanShader>(
-    u: &FragUniforms,
     w: &mut Work<'_, '_>,
     (segment, planes): (&Segment, &Planes),
     arg: u32,
     shader: Option<&S>,
 ) -> u32 {
     let (x, y) = row_origin(segment, planes);
-    let row = Row { depth: DepthTest::new(planes, (x, y, segment.len), u, arg), shader };
+    let row = Row { depth: DepthTest::new(planes, (x, y, segment.len), arg), shader };
     let (before, done) = (w.passed(), row.run(w, segment, x) as u32);
     if w.counts.is_some() {
         w.count(before, row.shader.map_or(PixelCost::default(), S::cost));
@@ -224,7 +223,7 @@ pub fn textured_row<const K: usize, S: SpanSource<K>>(
         // By reference: a shader is large, and would be copied field by field.
         let shader = source.shader(u, w, &part);
         let Some(shader) = &shader else { break };
-        let did = whole_row(u, w, (&part.segment, planes), arg, Some(shader));
+        let did = whole_row(w, (&part.segment, planes), arg, Some(shader));
         done += did;
         if did < n {
             break;

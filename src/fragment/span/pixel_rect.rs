@@ -60,5 +60,5 @@ pub fn pixel_row(u: &FragUniforms, w: &mut Work<'_, '_>, segment: &Segment, plan
         }
         return segment.len;
     }
-    whole_row(u, w, (segment, planes), arg, Some(&PixelRow { colors, first, or }))
+    whole_row(w, (segment, planes), arg, Some(&PixelRow { colors, first, or }))
 }

@@ -168,10 +168,10 @@ fn chunk<const N: usize>(buffer: &mut [u32], at: u32) -> Option<&mut [u32; N]> {
 
 /// Depth along a row of a primitive.
 #[inline(always)]
-fn slope(row: &Segment, planes: &Planes, u: &FragUniforms) -> DepthSlope {
+fn slope(row: &Segment, planes: &Planes) -> DepthSlope {
     let (x, y) = row_origin(row, planes);
     let last = x.wrapping_add(row.len.wrapping_sub(1).cast_signed());
-    DepthSlope::new(&planes.z, y, u.depth_max).between(x, last)
+    DepthSlope::new(planes, y).between(x, last)
 }
 
 /// Between which numbers x and y of some rows are, relative to the primitive's origin.
@@ -189,14 +189,14 @@ fn limits(rows: &[Segment], planes: &Planes) -> [[i32; 2]; 2] {
 
 /// Takes pixels off the rows' starts that hierarchical depth hides.
 #[inline(always)]
-fn trim(rows: &mut [Segment], planes: &Planes, u: &FragUniforms, w: &Work<'_, '_>, func: CompareFunc) {
+fn trim(rows: &mut [Segment], planes: &Planes, w: &Work<'_, '_>, func: CompareFunc) {
     if !uses_hiz(func) {
         return;
     }
     for row in rows {
         if row.len >= HIZ_FROM {
             let x = row.x.wrapping_sub(planes.origin[0]);
-            let n = hiz_cull(w.band, row, &slope(row, planes, u), x, func);
+            let n = hiz_cull(w.band, row, &slope(row, planes), x, func);
             *row = Segment {
                 x: row.x.wrapping_add(n.cast_signed()),
                 offset: row.offset.wrapping_add(n),
@@ -250,10 +250,10 @@ pub fn textured_rows<const K: usize, S: SpanSource<K>>(
     let Some(shader) = &shader else { return false };
     let rows = b.segments.get_mut(..b.segment_count).unwrap_or(&mut []);
     if let Some(test) = Test::new(arg) {
-        trim(rows, planes, u, w, test.func);
+        trim(rows, planes, w, test.func);
     }
     let before = w.passed();
-    gathered(rows, (planes, shader), u, w, arg);
+    gathered(rows, (planes, shader), w, arg);
     if w.counts.is_some() {
         w.count(before, shader.cost());
     }
@@ -262,13 +262,7 @@ pub fn textured_rows<const K: usize, S: SpanSource<K>>(
 
 /// Colours of the rows of a primitive, 64 living pixels at a time.
 #[inline(always)]
-fn gathered<S: SpanShader>(
-    rows: &[Segment],
-    (planes, shader): (&Planes, &S),
-    u: &FragUniforms,
-    w: &mut Work<'_, '_>,
-    arg: u32,
-) {
+fn gathered<S: SpanShader>(rows: &[Segment], (planes, shader): (&Planes, &S), w: &mut Work<'_, '_>, arg: u32) {
     let Some(first) = rows.first() else { return };
     let test = Test::new(arg);
     if test.is_some() {
@@ -278,13 +272,13 @@ fn gathered<S: SpanShader>(
     let origin = [x0.wrapping_sub(1 << 15), y0];
     let mut list = LivePixels { place: [0; ROOM], offset: [0; ROOM], n: 0 };
     let mut rest = rows.iter();
-    let (mut row, mut along, mut done, mut len) = (*first, DepthSlope::new(&planes.z, 0, 0.0), 0, 0);
+    let (mut row, mut along, mut done, mut len) = (*first, DepthSlope::new(planes, 0), 0, 0);
     loop {
         while list.n < LANES {
             if done >= len {
                 let Some(next) = rest.next() else { break };
                 (row, done, len) = (*next, 0, next.len);
-                along = slope(next, planes, u);
+                along = slope(next, planes);
             }
             let n = if len - done < STEP as u32 { len - done } else { STEP as u32 };
             let (x, offset) = (row.x.wrapping_add(done.cast_signed()), row.offset.wrapping_add(done));
@@ -347,7 +341,6 @@ fn color_step<const N: usize, S: SpanShader>(
 pub fn colored_rows<S: SpanShader>(
     rows: &[Segment],
     (planes, shader): (&Planes, &S),
-    u: &FragUniforms,
     w: &mut Work<'_, '_>,
     arg: u32,
 ) -> bool {
@@ -356,7 +349,7 @@ pub fn colored_rows<S: SpanShader>(
     touch(rows, w.band.depth);
     for row in rows {
         let (x, y) = row_origin(row, planes);
-        let along = slope(row, planes, u);
+        let along = slope(row, planes);
         let mut done = 0;
         while done < row.len {
             let n = if row.len - done < WIDE as u32 { row.len - done } else { WIDE as u32 };

@@ -138,7 +138,9 @@ fn depth_is_rounded_to_the_buffer() {
         assert_eq!(format.depth_max(), max);
         let mut f = Framebuffer::new(1, 1, format).unwrap();
         let p = program(Level::detect(), &state, &format, Options::default());
-        draw(&p, &flat([1.0; 4], f64::from(max) - 1.0), &mut f, Feed::Rows, &[(0, [0, 0, 1, 1])]);
+        let mut scene = flat([1.0; 4], f64::from(max) - 1.0);
+        scene.planes[0].z_range[1] = f64::from(max);
+        draw(&p, &scene, &mut f, Feed::Rows, &[(0, [0, 0, 1, 1])]);
         let mut d = [0.0];
         f.read_depth(0, 0, &mut d);
         assert_eq!(d[0], (f64::from(max) - 1.0) / f64::from(max), "{bits} bits");

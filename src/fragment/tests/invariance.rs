@@ -165,9 +165,10 @@ fn no_plane_makes_it_panic() {
         let linear = |r: &mut Random| Linear { at: number(r), x: number(r), y: number(r) };
         for first in [0, 7, 11, u32::MAX] {
             let (z, d) = (linear(&mut r), linear(&mut r));
+            let z_range = [number(&mut r), number(&mut r)];
             let (affine, wide) = (r.bool(), r.pick(&[0, u32::MAX]));
             let origin = [r.pick(&[0, i32::MAX, i32::MIN]), r.pick(&[0, i32::MAX, i32::MIN])];
-            scene.planes.push(Planes { origin, z, d, affine, back: r.bool(), wide, first, member: None });
+            scene.planes.push(Planes { origin, z, z_range, d, affine, back: r.bool(), wide, first, member: None });
         }
         for level in Level::available() {
             for general in [false, true] {

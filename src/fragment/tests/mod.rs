@@ -53,6 +53,9 @@ pub(super) struct Scene {
     pub pool: Vec<Plane>,
 }
 
+/// The greatest depth of 24 bits, to which the depths of primitives are limited.
+pub(super) const DEPTH_MAX: f64 = 16_777_215.0;
+
 /// A value at the corners (0, 0), (w, 0), (0, h) of a rectangle.
 pub(super) type Corners = [f64; 3];
 
@@ -74,6 +77,7 @@ impl Scene {
         self.planes.push(Planes {
             origin,
             z: linear(z),
+            z_range: [0.0, DEPTH_MAX],
             d: linear(r),
             affine,
             back: false,

@@ -1,6 +1,6 @@
 //! Programs with textures: what is left out changes no bit either, q included, and texels reach the right pixels.
 
-use super::{Corners, Feed, Random, Scene, contents, draw, pixel};
+use super::{Corners, DEPTH_MAX, Feed, Random, Scene, contents, draw, pixel};
 use crate::enums::*;
 use crate::fragment::planes::{Layout, Linear, Plane, Planes};
 use crate::fragment::program::Options;
@@ -88,6 +88,7 @@ fn scene(r: &mut Random, layout: &Layout, affine: bool, wide: bool, flats: u64) 
     let planes = Planes {
         origin: [2, 0],
         z: linear(corners(1.6e7)),
+        z_range: [0.0, DEPTH_MAX],
         d: linear(w),
         affine,
         back: false,

@@ -29,9 +29,7 @@ pub struct AliasedLine {
     minor_step: i64,
     remainder_step: i64,
     modulus: i64,
-    /// Fragments across.
-    width: i32,
-    /// Range of minor coordinates in which the middle of the line must be.
+    /// Minor coordinates that are drawn.
     view: (i32, i32),
     /// Stipple counter at step `from`, and its change a step.
     count: u32,
@@ -45,13 +43,19 @@ fn in_diamond(p: [i32; 2], pixel: [i32; 2]) -> bool {
     distance < 128 || (distance == 128 && x > 0)
 }
 
+/// The axis, 0 or 1, across which a line in a direction is wide.
+pub(crate) fn minor_axis([x, y]: [i32; 2]) -> usize {
+    usize::from(x.abs() >= y.abs())
+}
+
 impl AliasedLine {
-    /// The line between two snapped positions, `None` where it has no fragment. The second value is the number of fragments
-    /// along it, with the clipped ones: the stipple counter goes on by it.
+    /// The lowest line of width 1 of a line of `width` between two snapped positions, `None` where no fragment is seen;
+    /// [`raised`](Self::raised) gives the others. The second value is the number of fragments along it, with those outside
+    /// the scissor rectangle: the stipple counter goes on by it.
     pub(crate) fn new(a: [i32; 2], b: [i32; 2], width: i32, counter: u32, rs: &RasterState) -> (Option<Self>, u32) {
         let d = [b[0] - a[0], b[1] - a[1]];
-        let x_major = d[0].abs() >= d[1].abs();
-        let (major, minor) = if x_major { (0, 1) } else { (1, 0) };
+        let minor = minor_axis(d);
+        let (x_major, major) = (minor == 1, 1 - minor);
         let length = i64::from(d[major].abs());
         if length == 0 {
             return (None, 0);
@@ -101,16 +105,13 @@ impl AliasedLine {
             return (None, advance);
         }
         let ends = [numerator(from).div_euclid(modulus), numerator(to - 1).div_euclid(modulus)];
-        let (low, high) = (ends[0].min(ends[1]) as i32, ends[0].max(ends[1]) as i32 + width);
+        let (low, high) = (ends[0].min(ends[1]) as i32, ends[0].max(ends[1]) as i32 + 1);
         let rect = if x_major {
             Rect { x0: from, y0: low, x1: to, y1: high }
         } else {
             Rect { x0: low, y0: from, x1: high, y1: to }
         };
-        let rect = rect.and(clip);
-        if rect.is_empty() {
-            return (None, advance);
-        }
+        let middle = (width - 1) / 2;
         let line = Self {
             rect,
             x_major,
@@ -121,12 +122,21 @@ impl AliasedLine {
             minor_step: (256 * rise).div_euclid(modulus),
             remainder_step: (256 * rise).rem_euclid(modulus),
             modulus,
-            width,
-            view: view_minor,
+            // The middle of a column must be in the viewport.
+            view: (view_minor.0 - middle, view_minor.1 - middle),
             count: counter.wrapping_add(((from - first) * direction) as u32),
             direction,
         };
         (Some(line), advance)
+    }
+
+    /// The line `by` pixels higher in the minor direction, cut by a rectangle; `None` where nothing is left.
+    pub(crate) fn raised(&self, by: i32, clip: Rect) -> Option<Self> {
+        let (x, y) = if self.x_major { (0, by) } else { (by, 0) };
+        let Rect { x0, y0, x1, y1 } = self.rect;
+        let rect = Rect { x0: x0 + x, y0: y0 + y, x1: x1 + x, y1: y1 + y }.and(clip);
+        let view = (self.view.0 + by, self.view.1 + by);
+        (!rect.is_empty()).then_some(Self { rect, minor: self.minor + i64::from(by), view, ..*self })
     }
 
     /// Emits the fragments in `rows`.
@@ -139,32 +149,24 @@ impl AliasedLine {
     ) {
         let rect = self.rect;
         let (y0, y1) = (rows.start.max(rect.y0), rows.end.min(rect.y1));
+        let low = self.view.0.max(if self.x_major { y0 } else { rect.x0 });
+        let high = self.view.1.min(if self.x_major { y1 } else { rect.x1 });
         let (mut minor, mut remainder, mut count) = (self.minor, self.remainder, self.count);
-        let middle = (self.width - 1) / 2;
         // Neighbouring fragments of one row that are not emitted yet: x, y, length.
         let mut run = (0, 0, 0);
         for step in self.from..self.to {
             let across = minor as i32;
             let drawn = stipple.is_none_or(|(pattern, factor)| (pattern >> ((count / factor) & 15)) & 1 != 0);
-            if drawn && (self.view.0..self.view.1).contains(&(across + middle)) {
+            if drawn && (low..high).contains(&across) {
                 if !self.x_major {
                     if (y0..y1).contains(&step) {
-                        let (x0, x1) = (across.max(rect.x0), (across + self.width).min(rect.x1));
-                        to.run(x0, step, x1 - x0, 1.0, sink);
+                        to.run(across, step, 1, 1.0, sink);
                     }
-                } else if self.width == 1 {
-                    if (y0..y1).contains(&across) {
-                        if run.2 > 0 && run.1 == across && run.0 + run.2 == step {
-                            run.2 += 1;
-                        } else {
-                            to.run(run.0, run.1, run.2, 1.0, sink);
-                            run = (step, across, 1);
-                        }
-                    }
+                } else if run.2 > 0 && run.1 == across && run.0 + run.2 == step {
+                    run.2 += 1;
                 } else {
-                    for y in across.max(y0)..(across + self.width).min(y1) {
-                        to.run(step, y, 1, 1.0, sink);
-                    }
+                    to.run(run.0, run.1, run.2, 1.0, sink);
+                    run = (step, across, 1);
                 }
             }
             count = count.wrapping_add_signed(self.direction);
@@ -304,7 +306,10 @@ mod tests {
             let mut canvas = TestCanvas::new(256, 0, threads, cut, stipple);
             for (i, pair) in ends.windows(2).enumerate() {
                 let v = [0, 1].map(|k: usize| crate::raster::testing::vertex(pair[k][0], pair[k][1], 0.5, 1.0));
-                canvas.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &[] }), 1, i == 0);
+                if i == 0 {
+                    canvas.scene.restart_stipple();
+                }
+                canvas.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &[] }), 1);
             }
             pictures.push(canvas.hits());
         }
@@ -338,7 +343,7 @@ mod tests {
         let v =
             [crate::raster::testing::vertex(2.0, 3.25, 0.0, 1.0), crate::raster::testing::vertex(18.0, 3.25, 1.0, 3.0)];
         let slots = [[0.0f32], [1.0]];
-        canvas.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &slots[k] }), 1, true);
+        canvas.scene.line([0, 1].map(|k: usize| VertexRef { head: &v[k], slots: &slots[k] }), 1);
         let seen = canvas.seen();
         assert_eq!(seen.len(), 16);
         for (i, s) in seen.iter().enumerate() {

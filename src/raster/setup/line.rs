@@ -2,9 +2,10 @@
 
 use super::SetupContext;
 use super::basis::{Basis, CornerValues};
-use super::position::{finite, relative, relative_snapped, within_limit};
+use super::depth::Depth;
+use super::position::{relative, relative_snapped, within_limit};
 use crate::fragment::planes::Planes;
-use crate::raster::coverage::line::AliasedLine;
+use crate::raster::coverage::line::{AliasedLine, minor_axis};
 use crate::raster::geometry::{Coverage, SceneGeometry, index};
 use crate::raster::vertex::VertexRef;
 
@@ -32,16 +33,26 @@ impl SceneGeometry {
         }
         let width = ((cx.rs.line_width + 0.5) as i32).max(1);
         let (line, advance) = AliasedLine::new(p[0], p[1], width, *stipple, cx.rs);
-        *stipple = stipple.wrapping_add(advance);
+        if cx.rs.line_stipple.is_some() {
+            *stipple = stipple.wrapping_add(advance);
+        }
         let Some(line) = line else { return };
-        self.lines.push(line);
-        let cover = Coverage::Line(index(self.lines.len() - 1));
-        let planes = self.line_planes(cx, s);
-        self.push(cover, cx.draw, planes, u64::from((line.to - line.from).unsigned_abs()) * width as u64);
+        let mut planes = None;
+        // Section 3.4.2: the fragments across a line are copies of the lowest one. Its planes move along with the line.
+        for by in 0..width {
+            let Some(line) = line.raised(by, cx.rs.clip) else { continue };
+            let lowest = *planes.get_or_insert_with(|| self.line_planes(cx, s, width));
+            let mut planes = lowest;
+            planes.origin[minor_axis([p[1][0] - p[0][0], p[1][1] - p[0][1]])] += by;
+            self.lines.push(line);
+            let cover = Coverage::Line(index(self.lines.len() - 1));
+            self.push(cover, cx.draw, planes, u64::from((line.to - line.from).unsigned_abs()));
+        }
     }
 
-    /// The planes of a line; those of its slots go to the plane buffer.
-    pub(crate) fn line_planes(&mut self, cx: &SetupContext, s: &LineInput) -> Planes {
+    /// The planes of the lowest fragments of a line that is `width` fragments wide: those of the line moved down by
+    /// (width - 1) / 2. The planes of its slots go to the plane buffer.
+    pub(crate) fn line_planes(&mut self, cx: &SetupContext, s: &LineInput, width: i32) -> Planes {
         let [a, b] = s.v.map(|v| v.head);
         let (wa, wb) = (a.clip[3], b.clip[3]);
         let from = if wb > 2.0 * wa {
@@ -52,13 +63,19 @@ impl SceneGeometry {
             [0, 1].map(|k: usize| (a.snapped[k] + b.snapped[k]) >> 1)
         };
         let origin = from.map(|x| x >> 8);
-        let snapped = Basis::line(relative_snapped(a.snapped, origin), relative_snapped(b.snapped, origin));
-        let exact = Basis::line(relative(a.window, origin), relative(b.window, origin));
+        let minor = minor_axis([b.snapped[0] - a.snapped[0], b.snapped[1] - a.snapped[1]]);
+        let line = |mut a: [f64; 2], mut b: [f64; 2]| {
+            let down = f64::from(width - 1) * 0.5;
+            a[minor] -= down;
+            b[minor] -= down;
+            Basis::line(a, b)
+        };
+        let snapped = line(relative_snapped(a.snapped, origin), relative_snapped(b.snapped, origin));
+        let exact = line(relative(a.window, origin), relative(b.window, origin));
         let basis = if (exact.b[0].x + exact.b[0].y).is_finite() { exact } else { snapped };
-        let scale = cx.rs.depth_scale;
-        let mut z = finite(snapped.linear([a.window[2] * scale, b.window[2] * scale, b.window[2] * scale]));
-        z.at += s.offset;
-        let mut planes = Planes { origin, z, back: s.back, ..Planes::default() };
+        let corner = [a, b, b].map(|v| v.window[2] * cx.rs.depth_scale);
+        let z = Depth::new(cx.rs, basis.linear(corner), corner, 0.0, s.offset);
+        let mut planes = Planes { origin, z: z.plane, z_range: z.range, back: s.back, ..Planes::default() };
         let corner = [s.v[0].slots, s.v[1].slots, s.v[1].slots];
         let values = CornerValues { corner, provoking: s.provoking, back: s.back, w: [wa, wb, wb] };
         cx.plan.planes(&basis, &values, &mut planes, &mut self.pool);

@@ -2,6 +2,7 @@
 //! coverage (which pixels) and its planes (which values there).
 
 pub(super) mod basis;
+pub(super) mod depth;
 pub(super) mod line;
 pub(super) mod pixel_rect;
 pub(super) mod plane_buffer;

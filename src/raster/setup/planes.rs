@@ -153,6 +153,31 @@ impl SetupPlan {
         }
     }
 
+    /// Gives one coordinate of each unit a slope of a texel a pixel, in x and in y: rho of a point is 1 (section 3.8.8), and
+    /// its footprint is as wide as high. Its values stay, since they are limited to that of the vertex.
+    pub(crate) fn point_footprint(&self, out: &mut [Plane]) {
+        for (_, slots) in &self.units {
+            let c = |k: usize| out.get(slots.base + k).map_or(0.0, |plane| f64::from(plane.c).abs());
+            // s, but of a cube map a coordinate that is not the major axis, which is divided by twice that axis.
+            let (k, major) = match slots.cube {
+                true if c(0) >= c(1) && c(0) >= c(2) => (1, 2.0 * c(0)),
+                true => (0, 2.0 * c(1).max(c(2))),
+                false => (0, 1.0),
+            };
+            let q = if slots.has_q { out.get(slots.base + slots.count).map_or(0.0, |plane| plane.n0) } else { 1.0 };
+            let size = slots.size[k];
+            // Rounded down: a footprint of more than a texel would count as minified.
+            let texel = f32::from_bits((1.0 / size as f32).to_bits() - u32::from(!size.is_power_of_two()));
+            if let Some(plane) = out.get_mut(slots.base + k)
+                && plane.min == plane.max
+                && size > 0
+            {
+                plane.nx = f64::from(texel) * major * q;
+                plane.ny = plane.nx;
+            }
+        }
+    }
+
     /// The planes of the slots from `from` on. Slots that a vertex lacks become 0.
     #[inline]
     fn slots(&self, weights: &Weights, corner: [&[f32]; 3], from: usize, four: &mut FourPlanes, out: &mut [Plane]) {

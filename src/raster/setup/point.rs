@@ -87,16 +87,17 @@ impl SceneGeometry {
         self.push(cover, cx.draw, planes, (size * size) as u64 + 1);
     }
 
-    /// Planes without slopes; those of the slots go to the plane buffer.
+    /// Planes of values that are the same everywhere; those of the slots go to the plane buffer.
     pub(super) fn point_planes(&mut self, cx: &SetupContext, dot: &PointInput, origin: [i32; 2]) -> Planes {
         let head = dot.v.head;
         let at = head.window[2] * cx.rs.depth_scale + dot.offset;
         let z = Linear { at: if at.is_finite() { at } else { 0.0 }, x: 0.0, y: 0.0 };
-        let mut planes = Planes { origin, z, back: dot.back, ..Planes::default() };
+        let mut planes = Planes { origin, z, z_range: [0.0, cx.rs.depth_scale], back: dot.back, ..Planes::default() };
         let slots = dot.v.slots;
         let values =
             CornerValues { corner: [slots; 3], provoking: dot.provoking, back: dot.back, w: [head.clip[3]; 3] };
         cx.plan.planes(&Basis::default(), &values, &mut planes, &mut self.pool);
+        cx.plan.point_footprint(self.pool.last_mut(cx.plan.layout().count));
         planes
     }
 }

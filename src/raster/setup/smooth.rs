@@ -33,7 +33,7 @@ impl SceneGeometry {
 
     /// Adds a smooth line: one rectangle, or one for each run of ones in the stipple.
     pub(crate) fn smooth_line(&mut self, cx: &SetupContext, s: &LineInput, stipple: &mut u32) {
-        let planes = self.line_planes(cx, s);
+        let planes = self.line_planes(cx, s, 1);
         let [a, b] = s.v.map(|v| relative_snapped(v.head.snapped, planes.origin));
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let length = (dx * dx + dy * dy).sqrt();
@@ -74,6 +74,8 @@ impl SceneGeometry {
                 }
             }
         }
-        *stipple = stipple.wrapping_add(units);
+        if cx.rs.line_stipple.is_some() {
+            *stipple = stipple.wrapping_add(units);
+        }
     }
 }

@@ -106,15 +106,18 @@ fn floor(x: f64) -> f64 {
     r - if r > x { 1.0 } else { 0.0 }
 }
 
-/// The whole periods in a value.
+/// The whole periods to be subtracted from a value, which is then in 0..period, or below 0 by less than f32 can tell from a
+/// whole period.
 #[inline(always)]
 pub(crate) fn whole_periods(c: f64, period: u8) -> f64 {
-    match period {
-        0 => 0.0,
-        1 => floor(c),
-        _ if c.abs() >= 16_777_216.0 => c,
-        _ => floor(c * 0.5) * 2.0,
-    }
+    let (whole, one) = match period {
+        0 => return 0.0,
+        1 => (floor(c), 1.0),
+        _ if c.abs() >= 16_777_216.0 => return c,
+        _ => (floor(c * 0.5) * 2.0, 2.0),
+    };
+    // What is just below 0 would be rounded to a period, which is the texture's other end.
+    if (c - whole) as f32 >= one as f32 { whole + one } else { whole }
 }
 
 /// Subtracts whole periods from a plane, so that its values are near 0.

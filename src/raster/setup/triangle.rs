@@ -4,12 +4,15 @@
 
 use super::SetupContext;
 use super::basis::{Basis, CornerValues};
+use super::depth::{Depth, beyond, polygon_offset};
 use super::line::LineInput;
 use super::point::PointInput;
 use super::position::{finite, relative, relative_snapped, within_limit};
-use crate::fragment::planes::{Linear, Planes};
+use super::weights::range;
+use crate::fragment::planes::Planes;
 use crate::raster::coverage::edges::{Edges, bounds};
 use crate::raster::geometry::{Coverage, SceneGeometry, index};
+use crate::raster::sink::outline_order;
 use crate::raster::state::Rect;
 use crate::raster::vertex::{Vertex, VertexRef, twice_area};
 use crate::state::raster::PolygonMode;
@@ -52,27 +55,22 @@ fn basis(v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64) -> Basis {
     }
 }
 
-/// The depth of a triangle in units of the depth buffer, from its snapped positions, with the offset of its mode; and that
-/// offset.
+/// The depth of a triangle with the offset of its mode, and that offset. `exact` says that fragments may leave the range of
+/// the corners by what a position can move when it is snapped.
 #[inline]
-fn depth(cx: &SetupContext, v: &[&Vertex; 3], origin: [i32; 2], snapped_det: f64, mode: PolygonMode) -> (Linear, f64) {
-    let scale = cx.rs.depth_scale;
-    let [z0, z1, z2] = v.map(|v| v.window[2] * scale);
-    let edge = |i: usize, k: usize| f64::from(v[i].snapped[k] - v[0].snapped[k]) * (1.0 / 256.0);
-    let (dz1, dz2, inv) = (z1 - z0, z2 - z0, 1.0 / snapped_det);
-    let x = (dz1 * edge(2, 1) - dz2 * edge(1, 1)) * inv;
-    let y = (dz2 * edge(1, 0) - dz1 * edge(2, 0)) * inv;
-    let [x0, y0] = relative_snapped(v[0].snapped, origin);
-    let mut plane = finite(Linear { at: z0 - (x0 * x + y0 * y), x, y });
-    let mut offset = 0.0;
-    if cx.rs.offset[mode as usize] {
-        let slope = plane.x.abs().max(plane.y.abs());
-        let steep = if cx.rs.offset_factor == 0.0 { 0.0 } else { slope * cx.rs.offset_factor };
-        // Depths are clamped to the range afterwards.
-        offset = (steep + cx.rs.offset_units).max(-2.0 * scale).min(2.0 * scale);
-        plane.at += offset;
-    }
-    (plane, offset)
+fn depth(cx: &SetupContext, v: &[&Vertex; 3], basis: &Basis, mode: PolygonMode, exact: bool) -> (Depth, f64) {
+    let rs = cx.rs;
+    let corner = v.map(|v| v.window[2] * rs.depth_scale);
+    let plane = basis.linear(corner);
+    let (low, high) = range(corner);
+    let beyond = if exact { beyond(plane.x, plane.y, low, high) } else { 0.0 };
+    let offset = if rs.offset[mode as usize] {
+        let plane = finite(plane);
+        polygon_offset(plane.x, plane.y, [rs.offset_factor, rs.offset_units], rs.depth_scale)
+    } else {
+        0.0
+    };
+    (Depth::new(rs, plane, corner, beyond, offset), offset)
 }
 
 /// Twice the area in pixels of a triangle whose area is given in units of the grid.
@@ -150,11 +148,11 @@ impl SceneGeometry {
     ) -> Planes {
         let v = t.v.map(|v| v.head);
         let (origin, det) = (origin(&v), pixels(area));
-        let (z, _) = depth(cx, &v, origin, det, mode);
         let basis = basis(&v, origin, det);
+        let z = depth(cx, &v, &basis, mode, !cx.rs.smooth[2]).0;
         // Not `back`: the colours of a triangle of a batch are those of the visible side already.
         let back_face = area == 0 || (area > 0) != cx.rs.ccw_is_front;
-        let mut planes = Planes { origin, z, back: back_face, ..Planes::default() };
+        let mut planes = Planes { origin, z: z.plane, z_range: z.range, back: back_face, ..Planes::default() };
         let values =
             CornerValues { corner: t.v.map(|v| v.slots), provoking: t.provoking, back, w: v.map(|v| v.clip[3]) };
         cx.plan.planes(&basis, &values, &mut planes, &mut self.pool);
@@ -177,14 +175,10 @@ impl SceneGeometry {
             if cx.rs.offset[mode as usize] { cx.rs.offset_units } else { 0.0 }
         } else {
             let v = t.v.map(|v| v.head);
-            depth(cx, &v, origin(&v), pixels(area), mode).1
+            depth(cx, &v, &basis(&v, origin(&v), pixels(area)), mode, true).1
         };
-        // The first boundary edge of a polygon starts its stipple; later triangles of a fan begin with an inner edge.
-        if t.edges[0] {
-            *stipple = 0;
-        }
-        for (i, boundary) in t.edges.into_iter().enumerate() {
-            let (v, next) = (t.v[i], t.v[(i + 1) % 3]);
+        for i in outline_order(t.edges) {
+            let (v, next, boundary) = (t.v[i], t.v[(i + 1) % 3], t.edges[i]);
             let provoking = if cx.rs.flat { t.provoking } else { v.slots };
             match mode {
                 _ if !boundary => {}
@@ -218,6 +212,7 @@ pub(crate) fn clip_mask(cx: &SetupContext, bounds: Rect, rect: Rect) -> u64 {
 #[cfg(test)]
 mod tests {
     use crate::raster::PrimitiveSink;
+    use crate::raster::state::RESOLVABLE;
     use crate::raster::testing::{Random, TestCanvas, vertex};
     use crate::raster::vertex::VertexRef;
     use crate::state::State;
@@ -298,7 +293,7 @@ mod tests {
             canvas.seen()
         };
         // The greater slope is 1/2 over 32 pixels.
-        let want = 2.0 * (0.5 / 32.0) * 16_777_215.0 + 3.0;
+        let want = 2.0 * (0.5 / 32.0) * 16_777_215.0 + 3.0 * RESOLVABLE;
         let set = [
             (PolygonMode::Fill, (|s| s.polygon.offset[2] = true) as fn(&mut State)),
             (PolygonMode::Line, |s| s.polygon.offset[1] = true),

@@ -45,6 +45,8 @@ pub(crate) struct TriangleBatch {
     pub area: I32x16,
     pub origin: [I32x16; 2],
     pub z: LinearLanes,
+    /// The least and the greatest depth of a fragment.
+    pub z_range: [F64x16; 2],
     pub bases: BasisLanes,
     pub affine: [bool; GROUP],
     /// NaN where the planes of a triangle must be made alone.
@@ -69,6 +71,7 @@ impl Default for TriangleBatch {
             area: [0; GROUP],
             origin: [[0; GROUP]; 2],
             z: LinearLanes::default(),
+            z_range: [[0.0; GROUP]; 2],
             bases: BasisLanes::default(),
             affine: [true; GROUP],
             needs_scalar: [0.0; GROUP],

@@ -11,6 +11,7 @@ use super::lanes::{ALONE, BLOCK, BasisLanes, F64x16, LINEAR_LANES, LinearLanes, 
 use super::masks::masks;
 use super::rows::{ROWS, rows};
 use crate::fragment::planes::{GROUP, Layout, PlaneGroup};
+use crate::raster::setup::depth::{beyond, limited, polygon_offset};
 use crate::raster::setup::position::LIMIT as LIMIT_OF_POSITIONS;
 use crate::raster::setup::texcoord_planes::{LIMIT, whole_periods};
 use crate::raster::setup::weights::range;
@@ -195,36 +196,10 @@ fn origins(batch: &mut TriangleBatch) {
     }
 }
 
-/// The depth planes, from snapped positions.
-#[inline(always)]
-fn depths(batch: &mut TriangleBatch, view: &BatchState, needs_scalar: &mut F64x16) {
-    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, z, .. } = batch;
-    for i in 0..GROUP {
-        let det = f64::from(area[i]) * (1.0 / 65536.0);
-        let [z0, z1, z2] = [position[0][Z][i], position[1][Z][i], position[2][Z][i]].map(|z| z * view.scale);
-        let edge = |c: usize, k: usize| f64::from(p[c][k][i] - p[0][k][i]) * (1.0 / 256.0);
-        let (dz1, dz2, inv) = (z1 - z0, z2 - z0, 1.0 / det);
-        let x = (dz1 * edge(2, 1) - dz2 * edge(1, 1)) * inv;
-        let y = (dz2 * edge(1, 0) - dz1 * edge(2, 0)) * inv;
-        let from = |k: usize| f64::from(p[0][k][i] - (origin[k][i] << 8) - 128) * (1.0 / 256.0);
-        let at = z0 - (from(0) * x + from(1) * y);
-        (z.at[i], z.x[i], z.y[i]) = (at, x, y);
-        needs_scalar[i] = (at + x + y) * 0.0;
-    }
-    if let Some([factor, units]) = view.offset {
-        for i in 0..GROUP {
-            let slope = z.x[i].abs().max(z.y[i].abs());
-            let steep = if factor == 0.0 { 0.0 } else { slope * factor };
-            let offset = (steep + units).max(-2.0 * view.scale).min(2.0 * view.scale);
-            z.at[i] += offset;
-        }
-    }
-}
-
 /// The weights of the corners, from the unsnapped positions where their area is about that of the snapped ones.
 #[inline(always)]
-fn bases(batch: &mut TriangleBatch, needs_scalar: &mut F64x16) {
-    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, bases, affine, .. } = batch;
+fn bases(batch: &mut TriangleBatch) {
+    let TriangleBatch { corners: CornerLanes { snapped: p, position, .. }, origin, area, bases, .. } = batch;
     for i in 0..GROUP {
         let snapped_det = f64::from(area[i]) * (1.0 / 65536.0);
         let from = [0, 1].map(|k: usize| f64::from(origin[k][i]) + 0.5);
@@ -246,6 +221,42 @@ fn bases(batch: &mut TriangleBatch, needs_scalar: &mut F64x16) {
         bases.reach[0][i] = range([x0.abs(), x1.abs(), x2.abs()]).1;
         bases.reach[1][i] = range([y0.abs(), y1.abs(), y2.abs()]).1;
     }
+}
+
+/// The depth planes, and what the depths of fragments are limited to.
+#[inline(always)]
+fn depths(batch: &mut TriangleBatch, view: &BatchState, needs_scalar: &mut F64x16) {
+    let TriangleBatch { corners: CornerLanes { position, .. }, bases, z, z_range: [lows, highs], .. } = batch;
+    let [b1, b2] = &bases.b;
+    for i in 0..GROUP {
+        let [z0, z1, z2] = [position[0][Z][i], position[1][Z][i], position[2][Z][i]].map(|z| z * view.scale);
+        let (g1, g2) = (z1 - z0, z2 - z0);
+        let at = z0 + (g1 * b1.at[i] + g2 * b2.at[i]);
+        let x = g1 * b1.x[i] + g2 * b2.x[i];
+        let y = g1 * b1.y[i] + g2 * b2.y[i];
+        let (low, high) = range([z0, z1, z2]);
+        let beyond = beyond(x, y, low, high);
+        (z.at[i], z.x[i], z.y[i]) = (at, x, y);
+        (lows[i], highs[i]) = (low - beyond, high + beyond);
+        needs_scalar[i] = (at + x + y) * 0.0;
+    }
+    if let Some(offset) = view.offset {
+        for i in 0..GROUP {
+            let offset = polygon_offset(z.x[i], z.y[i], offset, view.scale);
+            z.at[i] += offset;
+            lows[i] += offset;
+            highs[i] += offset;
+        }
+    }
+    for i in 0..GROUP {
+        (lows[i], highs[i]) = (limited(lows[i], view.scale), limited(highs[i], view.scale));
+    }
+}
+
+/// 1/w over each triangle, and the weights that belong to it.
+#[inline(always)]
+fn perspective(batch: &mut TriangleBatch, needs_scalar: &mut F64x16) {
+    let TriangleBatch { corners: CornerLanes { position, .. }, bases, affine, .. } = batch;
     let mut most = false;
     for i in 0..GROUP {
         let w = [position[0][W][i], position[1][W][i], position[2][W][i]];
@@ -400,8 +411,9 @@ stage! {
         if members.rows > 0 {
             batch.pixels = rows(&batch.corners.snapped, &batch.area, &batch.first, members.rows, &mut batch.ends);
         }
+        bases(batch);
         depths(batch, view, &mut needs_scalar);
-        bases(batch, &mut needs_scalar);
+        perspective(batch, &mut needs_scalar);
         let mut terms = TexcoordError::NONE;
         for (rule, (f, planes)) in rules.slots.iter().zip(batch.corners.slots.iter().zip(out)) {
             let numerators = slot(&batch.bases, f, &mut needs_scalar, planes);

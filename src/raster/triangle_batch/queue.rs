@@ -176,6 +176,7 @@ impl SceneGeometry {
         self.planes.push(Planes {
             origin: [batch.origin[0][lane], batch.origin[1][lane]],
             z: of(&batch.z),
+            z_range: [batch.z_range[0][lane], batch.z_range[1][lane]],
             d: of(&batch.bases.d),
             affine: batch.affine[lane],
             back: (batch.area[lane] > 0) != cx.rs.ccw_is_front,

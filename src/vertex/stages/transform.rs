@@ -120,17 +120,8 @@ stage! {
         }
     }
 
-    /// Fog coordinate from the depth in eye coordinates (section 3.10).
-    pub fn FOG_DEPTH: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
-        let n = b.span.min(LANES);
-        let VertexBatch { eye: [_, _, ez, _], out, .. } = b;
-        let Some(fog) = out.get_mut(u.fog_slot) else { return };
-        for i in 0..n {
-            fog[i] = num::min_f32(ez[i].abs() as f32, f32::MAX);
-        }
-    }
-
-    /// Fog coordinate from eye z itself (NV_fog_distance).
+    /// Eye z as the fog coordinate (section 3.10), of which the fragment takes the absolute value where that is asked for
+    /// (NV_fog_distance).
     pub fn FOG_PLANE: VertFn = (b: &mut VertexBatch, u: &VertexUniforms, _arg: u32) {
         let n = b.span.min(LANES);
         let VertexBatch { eye: [_, _, ez, _], out, .. } = b;

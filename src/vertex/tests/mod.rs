@@ -26,9 +26,9 @@ pub(super) enum Got {
     Point((Vertex, Vec<f32>)),
 }
 
-/// Collects primitives.
+/// Collects primitives; and whether the stipple starts anew with the next line.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Collect(pub Vec<Got>);
+pub(super) struct Collect(pub Vec<Got>, pub bool);
 
 fn owned(v: VertexRef<'_>) -> (Vertex, Vec<f32>) {
     (*v.head, v.slots.to_vec())
@@ -38,8 +38,12 @@ impl PrimitiveSink for Collect {
     fn triangle(&mut self, corners: [VertexRef<'_>; 3], provoking: usize, edges: [bool; 3]) {
         self.0.push(Got::Triangle(corners.map(owned).to_vec(), provoking, edges));
     }
-    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize, restart: bool) {
+    fn line(&mut self, ends: [VertexRef<'_>; 2], provoking: usize) {
+        let restart = std::mem::take(&mut self.1);
         self.0.push(Got::Line(ends.map(owned).to_vec(), provoking, restart));
+    }
+    fn restart_stipple(&mut self) {
+        self.1 = true;
     }
     fn point(&mut self, vertex: VertexRef<'_>) {
         self.0.push(Got::Point(owned(vertex)));

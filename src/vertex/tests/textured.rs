@@ -114,7 +114,7 @@ fn fog_and_point_size_take_the_distance() {
     *state.transform.projection.top_mut() = DMat4::from_scale(DVec3::splat(0.1));
     let got = draw(&state, &layout, PrimitiveMode::Points, &[at(0.0, 3.0, -4.0)]);
     let Got::Point((v, slots)) = &got[0] else { panic!() };
-    assert_eq!(slots, &[4.0]);
+    assert_eq!(slots, &[-4.0]);
     assert_eq!(v.point_size, 8.0 / 5.0);
     state.fog.coord_source = crate::state::fog::FogCoordSource::FogCoord;
     let mut v = at(0.0, 3.0, -4.0);

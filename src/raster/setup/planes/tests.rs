@@ -99,7 +99,8 @@ fn slivers_stay_within_their_corners() {
         for seen in canvas.seen() {
             assert!((low..=high).contains(&seen.values[0]), "{} in {low}..{high}", seen.values[0]);
             let z = seen.z / 16_777_215.0;
-            assert!((0.0999..=0.3001).contains(&z), "{z}");
+            // By an eighth of the range a triangle's depth may agree with others in its plane.
+            assert!((0.0749..=0.3251).contains(&z), "{z}");
             fragments += 1;
         }
     }
