@@ -8,7 +8,7 @@ use crate::enums::*;
 use crate::fragment::planes::Layout;
 use crate::num::clamp01;
 use crate::raster::vertex::{VertexRef, twice_area};
-use crate::raster::{PrimitiveSink, RasterState, outline_order};
+use crate::raster::{PrimitiveSink, RasterState};
 use crate::state::State;
 use crate::state::raster::PolygonMode;
 use crate::vertex::hand_on::TakePrimitives;
@@ -201,7 +201,7 @@ impl PrimitiveSink for Capture<'_> {
                 (0..3).for_each(|i| modes.vertex(v[i], colors(i), back));
             }
             PolygonMode::Line => {
-                for i in outline_order(edges).into_iter().filter(|i| edges[*i]) {
+                for i in (0..3).filter(|i| edges[*i]) {
                     let provoking = if flat { Some(v[provoking].slots) } else { None };
                     modes.line([v[i], v[(i + 1) % 3]], provoking, back);
                 }

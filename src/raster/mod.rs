@@ -28,6 +28,5 @@ pub use scene::Scene;
 pub use scheduler::SplitDraw;
 pub use setup::pixel_rect::BitmapBlock;
 pub use sink::PrimitiveSink;
-pub(crate) use sink::outline_order;
 pub use state::RasterState;
 pub use triangle_batch::corners::CornerLanes;

@@ -3,12 +3,6 @@
 use super::triangle_batch::corners::CornerLanes;
 use super::vertex::VertexRef;
 
-/// The order in which a triangle's edges make an outline, for the line stipple. The first half of a quadrilateral has its inner
-/// edge in the middle: there the outline goes on from edge 2 to 0.
-pub(crate) fn outline_order(edges: [bool; 3]) -> [usize; 3] {
-    if edges == [true, false, true] { [2, 0, 1] } else { [0, 1, 2] }
-}
-
 /// Takes primitives that need no clipping.
 pub trait PrimitiveSink {
     /// A triangle of three vertices in the order of issue. Under flat shading the colour is that of the `provoking` one;

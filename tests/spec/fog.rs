@@ -89,7 +89,8 @@ fn the_distance_is_that_of_the_fragment_where_a_primitive_reaches_behind_the_eye
             ys.iter().for_each(|y| cx.vertex3d(x, *y, z));
         }
         cx.end();
-        for (i, p) in crate::support::pixels(&mut cx, n, 1).iter().enumerate() {
+        // A line leaves out its last fragment.
+        for (i, p) in crate::support::pixels(&mut cx, n, 1).iter().enumerate().take(n as usize - 1) {
             let z = -8.0 + 12.0 * (i as f64 + 0.5) / f64::from(n);
             let want = 255.0 * (8.0 - z.abs()) / 8.0;
             assert!((f64::from(p[0]) - want).abs() < 0.51, "{mode:#x} at {i}: {} for {want}", p[0]);

@@ -12,7 +12,6 @@ use super::weights::range;
 use crate::fragment::planes::Planes;
 use crate::raster::coverage::edges::{Edges, bounds};
 use crate::raster::geometry::{Coverage, SceneGeometry, index};
-use crate::raster::sink::outline_order;
 use crate::raster::state::Rect;
 use crate::raster::vertex::{Vertex, VertexRef, twice_area};
 use crate::state::raster::PolygonMode;
@@ -177,7 +176,9 @@ impl SceneGeometry {
             let v = t.v.map(|v| v.head);
             depth(cx, &v, &basis(&v, origin(&v), pixels(area)), mode, true).1
         };
-        for i in outline_order(t.edges) {
+        // The first half of a quadrilateral has its inner edge in the middle: there the outline goes on from edge 2 to 0.
+        let order = if t.edges == [true, false, true] { [2, 0, 1] } else { [0, 1, 2] };
+        for i in order {
             let (v, next, boundary) = (t.v[i], t.v[(i + 1) % 3], t.edges[i]);
             let provoking = if cx.rs.flat { t.provoking } else { v.slots };
             match mode {
