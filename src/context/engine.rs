@@ -114,7 +114,7 @@ pub(crate) struct Engine {
 impl Engine {
     /// An engine in the initial state with a framebuffer of a size. Where there can be no such framebuffer it has no
     /// pixels, and the second value says why.
-    pub(crate) fn new(width: u32, height: u32, config: Config) -> (Self, Outcome) {
+    pub(crate) fn new(width: u32, height: u32, config: Config) -> (Box<Self>, Outcome) {
         let config = config.checked();
         let (framebuffer, outcome) = match Framebuffer::new(width, height, config.format) {
             Ok(framebuffer) => (framebuffer, Ok(())),
@@ -123,11 +123,13 @@ impl Engine {
         (Self::with_framebuffer(framebuffer, config), outcome)
     }
 
-    /// An engine in the initial state that draws into a framebuffer.
-    pub(crate) fn with_framebuffer(framebuffer: Framebuffer, config: Config) -> Self {
-        let state = State::default();
-        let mut engine = Self {
-            state,
+    /// An engine in the initial state that draws into a framebuffer. Some 40 KiB, which are on the stack only here.
+    #[inline(never)]
+    pub(crate) fn with_framebuffer(framebuffer: Framebuffer, config: Config) -> Box<Self> {
+        // Before the large frame of the engine itself: its parts are made on the stack as well.
+        let scene = Scene::new(config.threads, config.batch_cut, config.level);
+        let mut engine = Box::new(Self {
+            state: State::default(),
             dirty: Dirty::ALL,
             config,
             client: Client::default(),
@@ -143,7 +145,7 @@ impl Engine {
             pipe: VertexPipeline::new(config.level, config.batch_cut),
             draw_workers: Vec::new(),
             setup_jobs: SetupJobPool::default(),
-            scene: Scene::new(config.threads, config.batch_cut, config.level),
+            scene,
             program: None,
             drawing: false,
             unseen: false,
@@ -157,7 +159,7 @@ impl Engine {
             render_modes: RenderModes::default(),
             queries: Queries::default(),
             framebuffer,
-        };
+        });
         engine.window_sized();
         engine
     }

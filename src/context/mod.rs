@@ -172,10 +172,10 @@ impl Context {
     }
 
     /// A context around an engine.
-    pub(crate) fn from_engine(engine: Engine) -> Self {
+    pub(crate) fn from_engine(engine: Box<Engine>) -> Self {
         let debug = engine.config.debug;
         let mut cx = Self {
-            engine: Box::new(engine),
+            engine,
             flags: CallFlags::default(),
             error: None,
             recorder: recorder::Recorder::default(),

@@ -6,7 +6,7 @@ use super::Values;
 use super::engine::Engine;
 use super::textures::not_negative;
 use crate::enums::*;
-use crate::error::{Outcome, invalid_enum, invalid_operation};
+use crate::error::{Outcome, invalid_enum, invalid_operation, out_of_memory};
 use crate::state::Dirty;
 
 fn occlusion(target: GLenum) -> Outcome {
@@ -20,6 +20,7 @@ impl Engine {
     pub(crate) fn gen_queries(&mut self, n: i32, ids: &mut [u32]) -> Outcome {
         not_negative("n", n)?;
         let queries = &mut self.queries;
+        queries.results.try_reserve(ids.len()).map_err(|_| out_of_memory("no memory for names of queries"))?;
         for to in ids.iter_mut().take(n as usize) {
             loop {
                 queries.next = queries.next.wrapping_add(1);

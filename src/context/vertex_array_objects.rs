@@ -3,7 +3,7 @@
 //! itself; that of the others waits here. Object 0 is the one that always is.
 
 use super::array_pointers::{ATTRIBUTES, Arrays, Pointer};
-use crate::error::{Outcome, invalid_operation};
+use crate::error::{Outcome, invalid_operation, out_of_memory};
 use std::collections::{HashMap, HashSet};
 
 /// What an object keeps.
@@ -31,6 +31,12 @@ pub(crate) struct VertexArrays {
 }
 
 impl VertexArrays {
+    /// Makes room for so many names.
+    pub(super) fn reserve(&mut self, count: usize) -> Outcome {
+        let room = self.named.try_reserve(count);
+        room.map_err(|_| out_of_memory("no memory for names of vertex array objects"))
+    }
+
     pub(super) fn generate(&mut self) -> u32 {
         loop {
             self.last = self.last.wrapping_add(1);

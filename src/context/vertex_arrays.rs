@@ -10,6 +10,7 @@ fn not_negative(n: i32) -> Outcome {
 impl Engine {
     pub(crate) fn gen_vertex_arrays(&mut self, n: i32, arrays: &mut [u32]) -> Outcome {
         not_negative(n)?;
+        self.vertex_arrays.reserve(arrays.len())?;
         arrays.iter_mut().for_each(|name| *name = self.vertex_arrays.generate());
         Ok(())
     }

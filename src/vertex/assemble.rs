@@ -138,6 +138,12 @@ impl AssemblyOutput<'_> {
         self.plan.needs & needs::EDGE != 0
     }
 
+    /// A polygon begins: its first edge that is drawn starts the line stipple anew (section 3.5.4).
+    #[inline]
+    fn begin_polygon(&mut self) {
+        *self.restart = true;
+    }
+
     #[inline]
     fn triangle(&mut self, pool: &TransformedVertices, ids: [u32; 3], provoking: u8, edges: [bool; 3]) {
         let [a, b, c] = ids.map(|id| pool.screen(id));
@@ -176,8 +182,7 @@ impl AssemblyOutput<'_> {
                 let Some(&ids) = block.get(i as usize) else { break };
                 let edges = if with_edges { ids.map(|id| pool.edge(id)) } else { [true; 3] };
                 let kind = PrimitiveKind::Triangle { provoking: 2, edges };
-                let restart = with_edges && take(self.restart);
-                self.seen.push(VisiblePrimitive { ids, kind, clip: clipped >> i & 1 != 0, restart });
+                self.seen.push(VisiblePrimitive { ids, kind, restart: with_edges, clip: clipped >> i & 1 != 0 });
             }
         }
     }
@@ -268,6 +273,7 @@ impl Assembler {
                 let (begun, quads) = self.groups(ids);
                 for ids in begun.iter().chain(quads) {
                     let edges = ids.map(|id| pool.edge(id));
+                    out.begin_polygon();
                     out.quad(pool, *ids, edges);
                 }
             }
@@ -295,6 +301,7 @@ impl Assembler {
                 }
                 let [a, b, ..] = self.hold;
                 let corners = if self.count & 1 == 0 { [a, b, id] } else { [b, a, id] };
+                out.begin_polygon();
                 out.triangle(pool, corners, 2, [true; 3]);
                 self.count ^= 1;
                 (self.hold[0], self.hold[1]) = (b, id);
@@ -309,6 +316,7 @@ impl Assembler {
                 }
                 let [a, b, c, _] = self.hold;
                 // The outline is a b id c and id gives the flat colour: turned, so that id stands last.
+                out.begin_polygon();
                 out.quad(pool, [c, a, b, id], [true; 4]);
                 (self.hold[0], self.hold[1], self.held) = (c, id, 2);
             }),
@@ -321,6 +329,7 @@ impl Assembler {
             self.held += 1;
             return;
         }
+        out.begin_polygon();
         out.triangle(pool, [self.hold[0], self.hold[1], id], 2, [true; 3]);
         self.hold[1] = id;
     }
@@ -340,6 +349,9 @@ impl Assembler {
 
     fn polygon_triangle(&mut self, pool: &TransformedVertices, out: &mut AssemblyOutput<'_>, last: bool) {
         let [first, a, b, _] = self.hold;
+        if self.count == 0 {
+            out.begin_polygon();
+        }
         let edges = [self.count == 0 && pool.edge(first), pool.edge(a), last && pool.edge(b)];
         out.triangle(pool, [first, a, b], 0, edges);
     }

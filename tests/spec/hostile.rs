@@ -333,6 +333,7 @@ fn a_large_allocation_that_fails_is_out_of_memory() {
             cx.gen_textures(100_000, &mut m.names);
             cx.gen_buffers(100_000, &mut m.names);
             cx.gen_queries(100_000, &mut m.names);
+            cx.gen_vertex_arrays(100_000, &mut m.names);
             said(cx)
         }),
         ("a framebuffer and its values", |cx, _| {
