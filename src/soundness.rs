@@ -52,13 +52,13 @@
 //! This one compiles, so the ones above fail for the reason that is named:
 //! ```
 //! #![forbid(unsafe_code)]
-//! use fixedgl::{Config, SimdLevel, args::ArrayData};
+//! use fixedgl::{Config, SimdLevel, args::{ArrayData, IntoArray}};
 //! for level in SimdLevel::available() {
 //!     let cx = fixedgl::Context::with_config(4, 4, Config::default().with_level(level));
 //!     assert_eq!(cx.config().level, level);
 //! }
 //! let lowered = SimdLevel::from_name("avx512").expect("a name");
 //! assert!(lowered <= SimdLevel::detect());
-//! let array = ArrayData::from(&[0.0f32; 3]);
+//! let array: ArrayData = (&[0.0f32; 3]).into_array();
 //! assert!(matches!(array, ArrayData::Values(_)));
 //! ```
