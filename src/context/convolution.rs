@@ -52,12 +52,7 @@ impl Engine {
         image: &Pixels<'_>,
     ) -> Outcome {
         only(target, FilterTarget::One)?;
-        let internal = color_format(internal_format)?;
-        let pixel = color_pixels(format, type_)?;
-        let size = [check_extent(width)?, 1];
-        let colors = expanded(image, &self.client.pixel_store.unpack, [width, 1], pixel)?;
-        self.imaging.filters[FilterTarget::One as usize] = self.weights(FilterTarget::One, internal, size, &colors);
-        Ok(())
+        self.specify_filter(FilterTarget::One, internal_format, [width, 1], (format, type_), image)
     }
 
     #[expect(clippy::too_many_arguments, reason = "the arguments are GL's")]
@@ -72,11 +67,22 @@ impl Engine {
         image: &Pixels<'_>,
     ) -> Outcome {
         only(target, FilterTarget::Two)?;
+        self.specify_filter(FilterTarget::Two, internal_format, [width, height], (format, type_), image)
+    }
+
+    fn specify_filter(
+        &mut self,
+        target: FilterTarget,
+        internal_format: GLenum,
+        [width, height]: [i32; 2],
+        (format, type_): (GLenum, GLenum),
+        image: &Pixels<'_>,
+    ) -> Outcome {
         let internal = color_format(internal_format)?;
         let pixel = color_pixels(format, type_)?;
         let size = [check_extent(width)?, check_extent(height)?];
         let colors = expanded(image, &self.client.pixel_store.unpack, [width, height], pixel)?;
-        self.imaging.filters[FilterTarget::Two as usize] = self.weights(FilterTarget::Two, internal, size, &colors);
+        self.imaging.filters[target as usize] = self.weights(target, internal, size, &colors);
         Ok(())
     }
 

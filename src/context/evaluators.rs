@@ -207,13 +207,13 @@ impl Engine {
         let (maps, eval) = (&self.state.eval_maps.map2, &self.state.eval);
         let mut enabled = eval.map2_enabled;
         enabled[kind::NORMAL] &= !eval.auto_normal;
-        let at = |kind: usize| surface_at(&maps[kind], COMPONENTS[kind], [u, v])[0];
-        let Some(mut values) = evaluated(&enabled, &self.state.current, at) else { return };
-        if eval.auto_normal
-            && let Some(kind) = last_enabled(&enabled, kind::VERTEX..MAPS)
-        {
-            let surface = surface_at(&maps[kind], COMPONENTS[kind], [u, v]);
-            values.current.normal = surface_normal(COMPONENTS[kind], surface);
+        let Some(vertex) = last_enabled(&enabled, kind::VERTEX..MAPS) else { return };
+        let at = |kind: usize| surface_at(&maps[kind], COMPONENTS[kind], [u, v]);
+        let surface = at(vertex);
+        let of = |kind: usize| if kind == vertex { surface[0] } else { at(kind)[0] };
+        let Some(mut values) = evaluated(&enabled, &self.state.current, of) else { return };
+        if eval.auto_normal {
+            values.current.normal = surface_normal(COMPONENTS[vertex], surface);
         }
         self.evaluated_vertex(&values);
     }

@@ -184,12 +184,11 @@ impl Engine {
         if size.contains(&0) || !self.state.current.raster.valid || self.captures_pixels(token) {
             return Ok(());
         }
-        let (raster, [x, y, ..]) = (self.raster_state(), self.state.current.raster.position);
-        let window = [[raster.clip.x0, raster.clip.x1], [raster.clip.y0, raster.clip.y1]];
-        let placed = Placement::new(size, [x, y], self.state.pixel.zoom, window)?;
+        let raster = self.raster_state();
         if matches!(kind, PixelKind::Color | PixelKind::Index) && self.uses_imaging() {
             return self.draw_imaged(source, size, raster);
         }
+        let placed = self.placed(size, raster.clip)?;
         let [width, height] = placed.size();
         self.pixels_written += width as u64 * height as u64;
         let engine = &*self;
@@ -215,6 +214,12 @@ impl Engine {
         Ok(())
     }
 
+    /// Where so many groups at the raster position are, cut to what may be written.
+    fn placed(&self, size: [u32; 2], clip: Rect) -> Outcome<Placement> {
+        let [x, y, ..] = self.state.current.raster.position;
+        Placement::new(size, [x, y], self.state.pixel.zoom, [[clip.x0, clip.x1], [clip.y0, clip.y1]])
+    }
+
     /// Colours that the imaging subset changes, perhaps with their number.
     fn draw_imaged(&mut self, source: &Source<'_>, size: [u32; 2], raster: RasterState) -> Outcome {
         let image = match source {
@@ -226,13 +231,11 @@ impl Engine {
         };
         // Each of them has gone through the tables and filters.
         self.pixels_written += 16 * image.colors.len() as u64;
-        let [x, y, ..] = self.state.current.raster.position;
-        let window = [[raster.clip.x0, raster.clip.x1], [raster.clip.y0, raster.clip.y1]];
         let size = image.size.map(|n| u32::try_from(n).unwrap_or(0));
         if size.contains(&0) {
             return Ok(());
         }
-        let placed = Placement::new(size, [x, y], self.state.pixel.zoom, window)?;
+        let placed = self.placed(size, raster.clip)?;
         let colors = placed.resolve(|[x, y], row: &mut [[f32; 4]]| {
             let at = y as usize * image.size[0] + x as usize;
             for (to, from) in row.iter_mut().zip(image.colors.get(at..).unwrap_or_default()) {

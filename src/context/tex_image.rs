@@ -8,6 +8,7 @@ use super::proxies::Proxy;
 use crate::enums::*;
 use crate::error::{GlError, Outcome, invalid_enum, invalid_operation, invalid_value, out_of_memory};
 use crate::limits::{MAX_3D_TEXTURE_SIZE, MAX_IMAGE_BYTES, MAX_TEXTURE_LEVELS, MAX_TEXTURE_SIZE};
+use crate::pixels::imaging::ColorImage;
 use crate::pixels::{ClientImage, PixelFormat, Purpose, Transfer};
 use crate::state::pixel::PixelStore;
 use crate::state::texture::Target;
@@ -149,6 +150,21 @@ pub(crate) fn client_image<'a>(
 }
 
 impl Engine {
+    /// The colours of a command's pixels, where the imaging subset is to change them.
+    pub(crate) fn imaged_pixels(
+        &self,
+        target: Target,
+        size: [i32; 3],
+        pixel: PixelFormat,
+        pixels: &Pixels<'_>,
+    ) -> Outcome<Option<ColorImage>> {
+        if !self.uses_imaging() {
+            return Ok(None);
+        }
+        let client = client_image(pixels, &self.client.pixel_store.unpack, dimensions_of(target), size, pixel)?;
+        client.map_or(Ok(None), |client| self.client_colors(&client))
+    }
+
     #[expect(clippy::too_many_arguments, reason = "the arguments are GL's")]
     pub(crate) fn tex_image_1d(
         &mut self,
@@ -214,17 +230,12 @@ impl Engine {
         let pixel = PixelFormat::for_command(format, type_, Purpose::TexImage)?;
         let internal = InternalFormat::of_tex_image(internal_format)?;
         check_formats(pixel, internal)?;
-        if self.uses_imaging() {
-            let (store, dimensions) = (self.client.pixel_store.unpack, dimensions_of(place.target));
-            if let Some(client) = client_image(pixels, &store, dimensions, size, pixel)?
-                && let Some(image) = self.client_colors(&client)?
-            {
-                let Some(image) = self.transfer_image(image, dimensions.count())? else { return Ok(()) };
-                let size = image.size_3d(size[2]);
-                return self.with_transferred(&image, |engine, pair, pixels| {
-                    engine.tex_image(place, level, internal_format, size, border, pair, pixels)
-                });
-            }
+        if let Some(image) = self.imaged_pixels(place.target, size, pixel, pixels)? {
+            let Some(image) = self.transfer_image(image, dimensions_of(place.target).count())? else { return Ok(()) };
+            let size = image.size_3d(size[2]);
+            return self.with_transferred(&image, |engine, pair, pixels| {
+                engine.tex_image(place, level, internal_format, size, border, pair, pixels)
+            });
         }
         let request = Request { place, level, size, border, format: internal };
         let Some(level) = self.admit(&request)? else { return Ok(()) };

@@ -75,17 +75,12 @@ impl Engine {
     ) -> Outcome {
         let place = not_proxy(place)?;
         let pixel = PixelFormat::for_command(format, type_, Purpose::TexImage)?;
-        if self.uses_imaging() {
-            let (store, dimensions) = (self.client.pixel_store.unpack, dimensions_of(place.target));
-            if let Some(client) = client_image(pixels, &store, dimensions, size, pixel)?
-                && let Some(image) = self.client_colors(&client)?
-            {
-                let Some(image) = self.transfer_image(image, dimensions.count())? else { return Ok(()) };
-                let size = image.size_3d(size[2]);
-                return self.with_transferred(&image, |engine, pair, pixels| {
-                    engine.tex_sub_image(place, level, offset, size, pair, pixels)
-                });
-            }
+        if let Some(image) = self.imaged_pixels(place.target, size, pixel, pixels)? {
+            let Some(image) = self.transfer_image(image, dimensions_of(place.target).count())? else { return Ok(()) };
+            let size = image.size_3d(size[2]);
+            return self.with_transferred(&image, |engine, pair, pixels| {
+                engine.tex_sub_image(place, level, offset, size, pair, pixels)
+            });
         }
         let (level, image) = self.existing_image(place, level)?;
         check_formats(pixel, image.format)?;
